@@ -1,0 +1,28 @@
+//! The vocabulary of forward kinematics.
+//!
+//! A [`Skeleton`] is a list of [`Joint`]s, every parent before its children. A [`Motion`] is a skeleton and one row
+//! of channel values per frame. A [`Pose`] says where every joint of one frame stands, as one global
+//! [`Transform`] each. [`pose_frame`] is the fixed traversal that turns a frame into a pose: it calls the three
+//! functions of [`FkFunctions`] for every joint.
+//!
+//! Conventions, everywhere: right-handed axes, column vectors, rotations as unit quaternions written (x, y, z, w),
+//! angles of a motion in degrees, lengths in the motion's own unit.
+#![deny(missing_docs)]
+
+mod channel;
+mod cursor;
+mod joint;
+mod motion;
+mod order;
+mod pose;
+mod tree;
+mod traversal;
+
+pub use channel::{Axis, Channel};
+pub use cursor::FrameCursor;
+pub use joint::{Joint, JointId};
+pub use motion::{Frame, Motion, MotionError, PositionChannels};
+pub use order::RotationOrder;
+pub use pose::{Pose, Transform};
+pub use traversal::{FkFunctions, Leftover, pose_frame};
+pub use tree::{Skeleton, SkeletonError};
