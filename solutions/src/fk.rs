@@ -11,7 +11,7 @@
 
 use glam::{Quat, Vec3};
 #[allow(unused_imports)] // You may need all of them.
-use skeleton::{FrameCursor, Joint, Pose, RotationOrder};
+use skeleton::{Axis, FrameCursor, Joint, Pose, RotationOrder};
 
 /// Part 1 (5 points): how a joint is turned against its parent.
 ///
@@ -30,23 +30,15 @@ use skeleton::{FrameCursor, Joint, Pose, RotationOrder};
 /// (0, 0, 0.7071, 0.7071), and what pointed along X now points along Y.
 pub fn local_quaternion(joint: &Joint, frame: &mut FrameCursor) -> Quat {
     // solution-begin
-    if joint.rotation_order == RotationOrder::None {
+    let Some([first, second, third]) = joint.rotation_order.axes() else {
         return Quat::IDENTITY;
-    }
-    let [first, second, third] = frame.take3().map(f32::to_radians);
-    let (x, y, z) = (Quat::from_rotation_x, Quat::from_rotation_y, Quat::from_rotation_z);
-    // Each rotation happens in the axes that those to its left have already turned.
-    match joint.rotation_order {
-        RotationOrder::None => Quat::IDENTITY,
-        RotationOrder::Xyz => x(first) * y(second) * z(third),
-        RotationOrder::Xzy => x(first) * z(second) * y(third),
-        RotationOrder::Yxz => y(first) * x(second) * z(third),
-        RotationOrder::Yzx => y(first) * z(second) * x(third),
-        RotationOrder::Zxy => z(first) * x(second) * y(third),
-        RotationOrder::Zyx => z(first) * y(second) * x(third),
-    }
+    };
+    let [a, b, c] = frame.take3();
+    let turn = |axis: Axis, degrees: f32| Quat::from_axis_angle(axis.unit(), degrees.to_radians());
+    // Each rotation happens about axes that those to its left have already turned.
+    turn(first, a) * turn(second, b) * turn(third, c)
     // solution-else
-    // let _ = (joint, frame); // Take this line away once you use them.
+    // let _ = (joint, frame); // Take this line out when you begin.
     // Quat::IDENTITY
     // solution-end
 }
@@ -70,7 +62,7 @@ pub fn global_quaternion(joint: &Joint, local: Quat, pose: &Pose) -> Quat {
         None => local,
     }
     // solution-else
-    // let _ = (joint, pose); // Take this line away once you use them.
+    // let _ = (joint, pose); // Take this line out when you begin.
     // local
     // solution-end
 }
@@ -95,7 +87,7 @@ pub fn global_position(joint: &Joint, local_position: Vec3, pose: &Pose) -> Vec3
         None => local_position,
     }
     // solution-else
-    // let _ = (joint, pose); // Take this line away once you use them.
+    // let _ = (joint, pose); // Take this line out when you begin.
     // local_position
     // solution-end
 }

@@ -15,8 +15,8 @@ mod joint;
 mod motion;
 mod order;
 mod pose;
-mod tree;
 mod traversal;
+mod tree;
 
 pub use channel::{Axis, Channel};
 pub use cursor::FrameCursor;

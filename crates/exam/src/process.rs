@@ -1,0 +1,147 @@
+//! Asking functions in a process of their own.
+
+use std::io::{self, Write};
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread;
+use std::time::Duration;
+
+use crate::stream::ReplyStream;
+use crate::wire::{self, Reply};
+use crate::{Answer, Failure, Question, Subject};
+
+/// A process that answers by [`worker::serve`](crate::worker::serve). What it prints goes on to this process's
+/// standard output, up to a limit; its errors go straight to the terminal.
+///
+/// When it crashes or takes too long it is ended, and the next question starts a new one.
+pub struct WorkerProcess {
+    command: Command,
+    running: Option<Running>,
+}
+
+impl WorkerProcess {
+    /// A worker that `command` starts when the first question is asked.
+    pub fn new(command: Command) -> Self {
+        WorkerProcess { command, running: None }
+    }
+}
+
+impl Subject for WorkerProcess {
+    fn ask(&mut self, question: &Question, limit: Duration) -> Result<Answer, Failure> {
+        let message = wire::to_bytes(question).map_err(no_answer)?;
+        let mut running = match self.running.take() {
+            Some(running) => running,
+            None => Running::start(&mut self.command).map_err(no_answer)?,
+        };
+        let result = running.ask(message, question.answer_limit(), limit);
+        // After a panic the worker goes on; after anything else that is not an answer it is in an unknown state.
+        if matches!(result, Ok(_) | Err(Failure::Panicked { .. })) {
+            self.running = Some(running);
+        }
+        result
+    }
+}
+
+/// Bytes that one worker may print.
+const PRINT_LIMIT: usize = 1 << 20;
+
+/// Bytes that a panic's message and place may add to a reply.
+const PANIC_LIMIT: usize = 64 * 1024;
+
+struct Running {
+    child: Child,
+    to_write: Sender<Vec<u8>>,
+    limits: Sender<usize>,
+    replies: Receiver<io::Result<Option<Reply>>>,
+}
+
+impl Running {
+    fn start(command: &mut Command) -> io::Result<Running> {
+        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+        let (Some(mut stdin), Some(stdout)) = (child.stdin.take(), child.stdout.take()) else {
+            return Err(io::Error::other("the worker has no pipes"));
+        };
+        let marker = wire::new_marker();
+
+        // Writing and reading happen on threads of their own: whatever the worker does or leaves undone, the asker
+        // waits for as long as it wants and no longer.
+        let (to_write, messages) = mpsc::channel::<Vec<u8>>();
+        to_write.send(marker.to_vec()).map_err(io::Error::other)?;
+        thread::Builder::new().name("to worker".into()).spawn(move || {
+            while let Ok(message) = messages.recv() {
+                if stdin.write_all(&message).and_then(|()| stdin.flush()).is_err() {
+                    break;
+                }
+            }
+        })?;
+
+        let (limits, wanted) = mpsc::channel::<usize>();
+        let (to_asker, replies) = mpsc::channel();
+        thread::Builder::new().name("from worker".into()).spawn(move || {
+            let mut stream = ReplyStream::new(stdout, Printed::default(), marker);
+            while let Ok(limit) = wanted.recv() {
+                let reply = stream.next_reply(limit);
+                let last = !matches!(reply, Ok(Some(_)));
+                if to_asker.send(reply).is_err() || last {
+                    break;
+                }
+            }
+        })?;
+        Ok(Running { child, to_write, limits, replies })
+    }
+
+    fn ask(&mut self, message: Vec<u8>, answer_limit: usize, limit: Duration) -> Result<Answer, Failure> {
+        // When a thread is gone, so is the worker: waiting for the reply tells how it ended.
+        let _ = self.limits.send(answer_limit + PANIC_LIMIT);
+        let _ = self.to_write.send(message);
+        match self.replies.recv_timeout(limit) {
+            Ok(Ok(Some(reply))) => reply.into(),
+            Ok(Ok(None)) | Err(RecvTimeoutError::Disconnected) => Err(self.how_it_ended()),
+            Ok(Err(error)) => Err(no_answer(error)),
+            Err(RecvTimeoutError::Timeout) => Err(Failure::TimedOut { limit }),
+        }
+    }
+
+    /// The worker closed its output. If it did so by ending, ending it again does not change how it ended.
+    fn how_it_ended(&mut self) -> Failure {
+        let _ = self.child.kill();
+        match self.child.wait() {
+            Ok(status) => Failure::Crashed { how: status.to_string() },
+            Err(error) => no_answer(error),
+        }
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // Both fail only if the worker has ended by itself.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn no_answer(error: io::Error) -> Failure {
+    Failure::NoAnswer { why: error.to_string() }
+}
+
+/// What the student's code prints, on its way to the terminal.
+#[derive(Default)]
+struct Printed {
+    count: usize,
+}
+
+impl Write for Printed {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let allowed = PRINT_LIMIT.saturating_sub(self.count).min(bytes.len());
+        io::stdout().write_all(&bytes[..allowed])?;
+        if self.count < PRINT_LIMIT && self.count + bytes.len() >= PRINT_LIMIT {
+            println!("\n(your code prints very much: the rest is left out)");
+        }
+        self.count = self.count.saturating_add(bytes.len());
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        io::stdout().flush()
+    }
+}

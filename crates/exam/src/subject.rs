@@ -1,0 +1,105 @@
+//! Whom to ask, what to ask, and what may come back.
+
+use std::fmt;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+use skeleton::FkFunctions;
+
+use crate::fk;
+
+/// The functions of one exercise, as a student wrote them.
+#[derive(Clone, Copy, Debug)]
+pub enum Functions {
+    /// Forward kinematics.
+    Fk(FkFunctions),
+}
+
+/// A question of any exercise.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Question {
+    /// Forward kinematics.
+    Fk(fk::Question),
+}
+
+/// The answer to a [`Question`] of the same exercise.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Answer {
+    /// Forward kinematics.
+    Fk(fk::Answer),
+}
+
+impl Question {
+    /// Asks `functions`, here and now. A panic of theirs goes through.
+    pub fn ask(&self, functions: &Functions) -> Answer {
+        match (self, functions) {
+            (Question::Fk(question), Functions::Fk(functions)) => Answer::Fk(question.ask(functions)),
+        }
+    }
+
+    pub(crate) fn answer_limit(&self) -> usize {
+        match self {
+            Question::Fk(question) => question.answer_limit(),
+        }
+    }
+}
+
+/// Something that answers questions.
+pub trait Subject {
+    /// Asks one question. `limit` is how long the answer may take, where that can be enforced.
+    ///
+    /// # Errors
+    ///
+    /// When no answer came, with the reason. The next question may be asked all the same.
+    fn ask(&mut self, question: &Question, limit: Duration) -> Result<Answer, Failure>;
+}
+
+/// Why a question has no answer. `Display` says it in words for the student.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// The functions panicked.
+    Panicked {
+        /// The panic's own message.
+        message: String,
+        /// `file:line:column`, as the compiler knows it.
+        location: Option<String>,
+    },
+    /// The functions did not come back in time.
+    TimedOut {
+        /// The time they had.
+        limit: Duration,
+    },
+    /// The process that ran the functions ended.
+    Crashed {
+        /// How it ended, in the system's words.
+        how: String,
+    },
+    /// The answer could not be read, or the question could not be put. Not the fault of the functions, as a rule.
+    NoAnswer {
+        /// What went wrong.
+        why: String,
+    },
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Panicked { message, location: Some(location) } => {
+                write!(f, "your code panicked at {location}: {message}")
+            }
+            Failure::Panicked { message, location: None } => write!(f, "your code panicked: {message}"),
+            Failure::TimedOut { limit } => write!(
+                f,
+                "your code did not come back within {} seconds: look for a loop that never ends",
+                limit.as_secs_f32()
+            ),
+            Failure::Crashed { how } => write!(
+                f,
+                "your code ended the program ({how}): look for a function that calls itself without end, or an exit"
+            ),
+            Failure::NoAnswer { why } => write!(f, "no answer could be had: {why}"),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
