@@ -38,7 +38,7 @@ pub fn local_quaternion(joint: &Joint, frame: &mut FrameCursor) -> Quat {
     // Each rotation happens about axes that those to its left have already turned.
     turn(first, a) * turn(second, b) * turn(third, c)
     // solution-else
-    // let _ = (joint, frame); // Take this line out when you begin.
+    // let _ = (joint, &frame); // Only so that nothing is unused yet: take it out when you begin.
     // Quat::IDENTITY
     // solution-end
 }
@@ -62,7 +62,7 @@ pub fn global_quaternion(joint: &Joint, local: Quat, pose: &Pose) -> Quat {
         None => local,
     }
     // solution-else
-    // let _ = (joint, pose); // Take this line out when you begin.
+    // let _ = (joint, pose); // As above.
     // local
     // solution-end
 }
@@ -87,7 +87,7 @@ pub fn global_position(joint: &Joint, local_position: Vec3, pose: &Pose) -> Vec3
         None => local_position,
     }
     // solution-else
-    // let _ = (joint, pose); // Take this line out when you begin.
+    // let _ = (joint, pose); // As above.
     // local_position
     // solution-end
 }

@@ -1,1 +1,32 @@
-//! ...
+//! What a right answer is.
+//!
+//! A [`Rubric`] says what each part of an exercise is worth. An [`Exam`] fills it with questions from a seed and the
+//! reference's answers. [`grade_part`] puts the questions to a [`Subject`](exam::Subject) and gives a
+//! [`PartReport`], which [`scoreboard`] turns into text. A known-wrong answer is named as a [`Misconception`].
+//!
+//! The same checks run for the student and for the teaching assistant: only the seed differs.
+#![deny(missing_docs)]
+
+mod dice;
+mod exam_paper;
+pub mod fk;
+mod grade;
+mod misconception;
+mod reference;
+mod report;
+mod rubric;
+pub mod scoreboard;
+mod self_grading;
+
+pub use exam_paper::{Case, CheckPaper, Difference, Exam, PartPaper, WholeMotion};
+pub use grade::grade_part;
+pub use misconception::{Accepted, Misconception};
+pub use reference::{Reference, Solutions};
+pub use report::{
+    CheckReport, CheckState, FirstCase, Named, PartReport, PartState, TreeLine, Trouble, WholeReport,
+};
+pub use rubric::{CheckRubric, PartRubric, Rubric};
+pub use self_grading::self_grade;
+
+/// The seed of the questions that students see. Teaching assistants use another one.
+pub const PUBLIC_SEED: u64 = 15;

@@ -29,7 +29,7 @@ use skeleton::{Axis, FrameCursor, Joint, Pose, RotationOrder};
 /// **Example.** With the order `Zyx` and the angles 90, 0, 0 the joint makes a quarter turn about Z. The quaternion is
 /// (0, 0, 0.7071, 0.7071), and what pointed along X now points along Y.
 pub fn local_quaternion(joint: &Joint, frame: &mut FrameCursor) -> Quat {
-    let _ = (joint, frame); // Take this line out when you begin.
+    let _ = (joint, &frame); // Only so that nothing is unused yet: take it out when you begin.
     Quat::IDENTITY
 }
 
@@ -46,7 +46,7 @@ pub fn local_quaternion(joint: &Joint, frame: &mut FrameCursor) -> Quat {
 /// **Example.** The parent is turned a quarter about Z, the joint a quarter about its own X. The joint's own X axis
 /// then points along the world's Y, and its own Y axis along the world's Z: (0.5, 0.5, 0.5, 0.5).
 pub fn global_quaternion(joint: &Joint, local: Quat, pose: &Pose) -> Quat {
-    let _ = (joint, pose); // Take this line out when you begin.
+    let _ = (joint, pose); // As above.
     local
 }
 
@@ -64,6 +64,6 @@ pub fn global_quaternion(joint: &Joint, local: Quat, pose: &Pose) -> Quat {
 /// **Example.** The parent is at (10, 0, 0), turned a quarter about Z, and the joint is 2 along the parent's X axis.
 /// That axis points along the world's Y, so the joint is at (10, 2, 0).
 pub fn global_position(joint: &Joint, local_position: Vec3, pose: &Pose) -> Vec3 {
-    let _ = (joint, pose); // Take this line out when you begin.
+    let _ = (joint, pose); // As above.
     local_position
 }

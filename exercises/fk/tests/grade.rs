@@ -1,1 +1,7 @@
-fn main() {}
+//! Your points. This file is fixed: yours is `src/fk.rs`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    grading::self_grade(fk::FUNCTIONS)
+}

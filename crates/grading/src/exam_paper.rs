@@ -1,0 +1,78 @@
+//! An exam: the rubric, filled with questions and right answers.
+
+use exam::{Answer, Functions, Question};
+use skeleton::Skeleton;
+
+use crate::{Accepted, CheckRubric, Misconception, PartRubric, Rubric};
+
+/// The questions of one exercise from one seed.
+#[derive(Debug)]
+pub struct Exam {
+    /// What the parts are worth.
+    pub rubric: &'static Rubric,
+    /// The parts in the rubric's order.
+    pub parts: Vec<PartPaper>,
+    /// All parts together, over a whole motion.
+    pub whole_motion: WholeMotion,
+}
+
+/// The questions of one part.
+#[derive(Debug)]
+pub struct PartPaper {
+    /// What the part is worth.
+    pub rubric: &'static PartRubric,
+    /// The checks in the rubric's order.
+    pub checks: Vec<CheckPaper>,
+    /// The untouched template: who answers like this has not started.
+    pub template: Functions,
+    /// Ways that get full points, with a remark.
+    pub accepted: Vec<Accepted>,
+    /// Ways to be wrong that have a name.
+    pub misconceptions: Vec<Misconception>,
+}
+
+/// The cases of one check.
+#[derive(Debug)]
+pub struct CheckPaper {
+    /// What the check is worth.
+    pub rubric: &'static CheckRubric,
+    /// From easy to hard.
+    pub cases: Vec<Case>,
+}
+
+/// One question with its right answer.
+#[derive(Debug)]
+pub struct Case {
+    /// What is asked.
+    pub question: Question,
+    /// The right answer.
+    pub expected: Answer,
+    /// What of the answer counts here: given the right answer and another one, where they differ.
+    pub difference: fn(&Case, expected: &Answer, got: &Answer) -> Option<Difference>,
+    /// The inputs as a student reads them, each with its name and unit.
+    pub inputs: Vec<(String, String)>,
+    /// The size of the skeleton behind the question: the measure of position tolerances.
+    pub size: f32,
+}
+
+/// How two answers differ, as a student reads it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// What came.
+    pub got: String,
+    /// What should have come.
+    pub expected: String,
+    /// How far apart they are, with a unit.
+    pub between: String,
+}
+
+/// The question that chains all parts over a motion. It gives no points: it shows what the parts do together.
+#[derive(Debug)]
+pub struct WholeMotion {
+    /// The skeleton that moves.
+    pub skeleton: Skeleton,
+    /// All frames in one question.
+    pub question: Question,
+    /// The right poses.
+    pub expected: Answer,
+}

@@ -1,0 +1,138 @@
+//! When two answers are the same, and how they differ when they are not.
+
+use exam::Answer;
+use exam::fk::Answer as FkAnswer;
+use glam::{Quat, Vec3};
+use skeleton::RotationOrder;
+
+use crate::{Case, Difference};
+
+/// Two rotations are the same when the angle between them is at most this, in degrees.
+pub(super) const ROTATION_TOLERANCE: f64 = 0.01;
+
+/// A quaternion is a rotation when its length differs from 1 by at most this.
+const LENGTH_TOLERANCE: f32 = 1e-3;
+
+/// Two positions are the same when their distance is at most this, times the size of the skeleton.
+pub(super) const POSITION_TOLERANCE: f32 = 1e-4;
+
+/// Of part 1's answers, the rotations.
+pub(super) fn rotation_of_joint(_: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
+    let (Answer::Fk(FkAnswer::LocalQuaternions(expected)), Answer::Fk(FkAnswer::LocalQuaternions(got))) =
+        (expected, got)
+    else {
+        return not_comparable();
+    };
+    expected.iter().zip(got).find_map(|(expected, got)| between_rotations(expected.rotation, got.rotation))
+}
+
+/// Of part 1's answers, how many angles were taken, and that a joint without angles is not turned.
+pub(super) fn cursor(case: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
+    let (Answer::Fk(FkAnswer::LocalQuaternions(expected)), Answer::Fk(FkAnswer::LocalQuaternions(got))) =
+        (expected, got)
+    else {
+        return not_comparable();
+    };
+    let exam::Question::Fk(exam::fk::Question::LocalQuaternions { joints, .. }) = &case.question else {
+        return not_comparable();
+    };
+    joints.iter().zip(expected).zip(got).find_map(|((joint, expected), got)| {
+        let (name, order) = (&joint.name, joint.rotation_order);
+        if expected.taken != got.taken {
+            return Some(Difference {
+                got: format!("{name} ({order}) took {} angles", got.taken),
+                expected: format!("{name} ({order}) takes {}", expected.taken),
+                between: format!("{} angles", expected.taken.abs_diff(got.taken)),
+            });
+        }
+        let turned = order == RotationOrder::None;
+        turned.then(|| between_rotations(expected.rotation, got.rotation)).flatten().map(|difference| {
+            Difference { got: format!("{name} ({order}) is turned by {}", difference.got), ..difference }
+        })
+    })
+}
+
+/// Of part 2's answers, the rotation.
+pub(super) fn global_rotation(_: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
+    match (expected, got) {
+        (Answer::Fk(FkAnswer::GlobalQuaternion(expected)), Answer::Fk(FkAnswer::GlobalQuaternion(got))) => {
+            between_rotations(*expected, *got)
+        }
+        _ => not_comparable(),
+    }
+}
+
+/// Of part 3's answers, the position.
+pub(super) fn global_position(case: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
+    match (expected, got) {
+        (Answer::Fk(FkAnswer::GlobalPosition(expected)), Answer::Fk(FkAnswer::GlobalPosition(got))) => {
+            between_positions(*expected, *got, case.size)
+        }
+        _ => not_comparable(),
+    }
+}
+
+/// Whether two quaternions do the same, and if not, how they differ. q and −q are the same rotation. Where the expected
+/// one is no rotation itself (a known-wrong answer), their components are compared.
+pub(super) fn between_rotations(expected: Quat, got: Quat) -> Option<Difference> {
+    let between = if !got.is_finite() {
+        "not a number".to_owned()
+    } else if (expected.length() - 1.0).abs() > LENGTH_TOLERANCE || !expected.is_finite() {
+        let apart = (expected - got).length().min((expected + got).length());
+        if apart <= 1e-4 * expected.length().max(1.0) {
+            return None;
+        }
+        format!("{apart:.4} in length")
+    } else if (got.length() - 1.0).abs() > LENGTH_TOLERANCE {
+        format!("a rotation has the length 1, this one has {:.4}", got.length())
+    } else {
+        let degrees = angle_between(expected, got);
+        if degrees <= ROTATION_TOLERANCE {
+            return None;
+        }
+        format!("{degrees:.2}°")
+    };
+    Some(Difference { got: quaternion(got), expected: quaternion(expected), between })
+}
+
+/// The angle of the rotation from `a` to `b`, in degrees, from 0 to 180. By the arc tangent in double precision: the
+/// arc cosine of a dot product cannot tell small angles from zero.
+pub(super) fn angle_between(a: Quat, b: Quat) -> f64 {
+    let [ax, ay, az, aw] = a.to_array().map(f64::from);
+    let [bx, by, bz, bw] = b.to_array().map(f64::from);
+    let w = aw * bw + ax * bx + ay * by + az * bz;
+    let x = aw * bx - ax * bw - ay * bz + az * by;
+    let y = aw * by - ay * bw - az * bx + ax * bz;
+    let z = aw * bz - az * bw - ax * by + ay * bx;
+    2.0 * (x * x + y * y + z * z).sqrt().atan2(w.abs()).to_degrees()
+}
+
+/// Whether two positions are the same in a skeleton of this size, and if not, how they differ.
+pub(super) fn between_positions(expected: Vec3, got: Vec3, size: f32) -> Option<Difference> {
+    let distance = expected.distance(got);
+    if distance <= POSITION_TOLERANCE * size {
+        return None;
+    }
+    let between = if got.is_finite() { format!("{distance:.3}") } else { "not a number".to_owned() };
+    Some(Difference { got: vector(got), expected: vector(expected), between })
+}
+
+/// An answer to another question than the one that was asked.
+fn not_comparable() -> Option<Difference> {
+    let text = |text: &str| text.to_owned();
+    Some(Difference {
+        got: text("an answer to another question"),
+        expected: text("an answer"),
+        between: text("-"),
+    })
+}
+
+/// (x, y, z, w) with four decimals.
+pub(super) fn quaternion(q: Quat) -> String {
+    format!("({:.4}, {:.4}, {:.4}, {:.4})", q.x, q.y, q.z, q.w)
+}
+
+/// (x, y, z) with three decimals.
+pub(super) fn vector(v: Vec3) -> String {
+    format!("({:.3}, {:.3}, {:.3})", v.x, v.y, v.z)
+}

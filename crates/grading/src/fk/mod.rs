@@ -1,0 +1,15 @@
+//! Grading the forward-kinematics exercise.
+
+mod compare;
+mod figure;
+mod misconceptions;
+mod paper;
+mod rubric;
+mod variants;
+mod whole_motion;
+
+pub use misconceptions::{accepted, misconceptions};
+pub use paper::exam;
+pub use rubric::RUBRIC;
+pub use variants::TEMPLATE;
+pub use whole_motion::grade_whole_motion;

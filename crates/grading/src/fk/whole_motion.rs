@@ -1,0 +1,136 @@
+//! The three parts together, over a whole motion.
+
+use std::time::Duration;
+
+use exam::fk::{Answer as FkAnswer, PosedFrame};
+use exam::{Answer, Failure, Subject};
+use skeleton::{JointId, Skeleton, Transform};
+
+use super::compare::{POSITION_TOLERANCE, ROTATION_TOLERANCE, angle_between};
+use super::misconceptions::accepted;
+use crate::{TreeLine, Trouble, WholeMotion, WholeReport};
+
+/// Asks for all poses of the motion and looks for the joint where they begin to go wrong.
+pub fn grade_whole_motion(subject: &mut dyn Subject, whole: &WholeMotion, limit: Duration) -> WholeReport {
+    let got = match subject.ask(&whole.question, limit) {
+        Err(failure) => return WholeReport { frames: 0, trouble: Some(Trouble::Failed(failure)) },
+        Ok(answer) => answer,
+    };
+    let expected = poses(&whole.expected);
+    let Some(got) = poses_of(&got, expected) else {
+        let why = "the poses do not fit the skeleton".to_owned();
+        return WholeReport { frames: 0, trouble: Some(Trouble::Failed(Failure::NoAnswer { why })) };
+    };
+    let comparison = Comparison { skeleton: &whole.skeleton, size: whole.skeleton.extent(), expected, got };
+    let mut trouble = comparison.trouble();
+    if trouble.is_some() {
+        // The ways that part 1 accepts are accepted here too.
+        for way in accepted("part1") {
+            let answer = whole.question.ask(&way.functions);
+            if (Comparison { expected: poses(&answer), ..comparison }).trouble().is_none() {
+                trouble = None;
+            }
+        }
+    }
+    WholeReport { frames: expected.len(), trouble }
+}
+
+fn poses(answer: &Answer) -> &[PosedFrame] {
+    match answer {
+        Answer::Fk(FkAnswer::Poses(poses)) => poses,
+        Answer::Fk(_) => &[],
+    }
+}
+
+/// The poses, if they are as many and as large as they should be.
+fn poses_of<'a>(got: &'a Answer, expected: &[PosedFrame]) -> Option<&'a [PosedFrame]> {
+    let got = poses(got);
+    let fits =
+        got.len() == expected.len() && got.iter().zip(expected).all(|(g, e)| g.pose.len() == e.pose.len());
+    fits.then_some(got)
+}
+
+#[derive(Clone, Copy)]
+struct Comparison<'a> {
+    skeleton: &'a Skeleton,
+    size: f32,
+    expected: &'a [PosedFrame],
+    got: &'a [PosedFrame],
+}
+
+impl Comparison<'_> {
+    fn trouble(&self) -> Option<Trouble> {
+        let frame = (0..self.expected.len()).find(|&frame| self.wrong_joints(frame).next().is_some())?;
+        let first = self.wrong_joints(frame).next()?;
+        let (worst, worst_frame) = self.worst();
+        let (distance, degrees) = self.off(worst_frame, worst);
+        let label = |id| self.skeleton.label(id);
+        Some(Trouble::Off {
+            worst: format!(
+                "{} is off by {distance:.3} and {degrees:.1}° at frame {worst_frame}",
+                label(worst)
+            ),
+            first: label(first),
+            frame,
+            angles: self.angles(frame),
+            tree: self.tree(frame, first),
+        })
+    }
+
+    fn wrong_joints(&self, frame: usize) -> impl Iterator<Item = JointId> {
+        self.skeleton.joints().iter().map(|joint| joint.id).filter(move |&id| !self.is_right(frame, id))
+    }
+
+    fn is_right(&self, frame: usize, id: JointId) -> bool {
+        let (distance, degrees) = self.off(frame, id);
+        distance <= POSITION_TOLERANCE * self.size && degrees <= ROTATION_TOLERANCE
+    }
+
+    /// Distance and angle (degrees) between what came and what should have. What is no number is infinitely far off.
+    fn off(&self, frame: usize, id: JointId) -> (f32, f64) {
+        let [got, expected]: [Transform; 2] = [self.got[frame].pose[id], self.expected[frame].pose[id]];
+        let distance = got.position.distance(expected.position);
+        let degrees = angle_between(expected.rotation, got.rotation);
+        (
+            if distance.is_nan() { f32::INFINITY } else { distance },
+            if degrees.is_nan() { 180.0 } else { degrees },
+        )
+    }
+
+    /// The joint and frame with the largest distance; where all are in place, those with the largest angle.
+    fn worst(&self) -> (JointId, usize) {
+        let ids = self.skeleton.joints().iter().map(|joint| joint.id);
+        let all = ids.flat_map(|id| (0..self.expected.len()).map(move |frame| (id, frame)));
+        let rank = |(id, frame): &(JointId, usize)| {
+            let (distance, degrees) = self.off(*frame, *id);
+            if distance > POSITION_TOLERANCE * self.size { (distance, degrees) } else { (0.0, degrees) }
+        };
+        let worse = |a: &(JointId, usize), b: &(JointId, usize)| {
+            let (a, b) = (rank(a), rank(b));
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        };
+        all.max_by(worse).unwrap_or((JointId(0), 0))
+    }
+
+    /// Says so when not all angles of a frame were taken, or too many.
+    fn angles(&self, frame: usize) -> Option<String> {
+        let PosedFrame { taken, available, .. } = self.got[frame];
+        (taken != available)
+            .then(|| format!("Your functions took {taken} angles from a frame that holds {available}."))
+    }
+
+    fn tree(&self, frame: usize, first: JointId) -> Vec<TreeLine> {
+        let depths = self.skeleton.depths();
+        let line = |joint: &skeleton::Joint| {
+            let (distance, degrees) = self.off(frame, joint.id);
+            TreeLine {
+                depth: depths[joint.id.0],
+                name: joint.name.clone(),
+                off: (!self.is_right(frame, joint.id))
+                    .then(|| format!("off by {distance:.3} and {degrees:.1}°")),
+                first: joint.id == first,
+            }
+        };
+        self.skeleton.joints().iter().map(line).collect()
+    }
+}

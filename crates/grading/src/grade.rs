@@ -1,0 +1,158 @@
+//! Putting the questions, and judging the answers.
+
+use std::time::{Duration, Instant};
+
+use exam::{Answer, Failure, Functions, Subject};
+
+use crate::{
+    Case, CheckPaper, CheckReport, CheckState, FirstCase, Misconception, Named, PartPaper, PartReport,
+    PartState,
+};
+
+/// Asks `subject` everything about one part. Each check has `limit` for all its cases together; when a case fails or
+/// the time is over, the check is lost and the next one is asked.
+pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) -> PartReport {
+    let answers: Vec<CheckAnswers> = part.checks.iter().map(|check| ask(subject, check, limit)).collect();
+    let exact = judge(part, &answers, &|case| case.expected.clone());
+    let (checks, remark) = best_of(part, &answers, exact);
+    PartReport {
+        rubric: part.rubric,
+        state: state(part, &answers, &checks),
+        named: recognise(part, &answers, &checks),
+        checks,
+        remark,
+    }
+}
+
+/// The answers to a check's cases, up to the first that failed.
+struct CheckAnswers {
+    answers: Vec<Answer>,
+    failure: Option<Failure>,
+}
+
+fn ask(subject: &mut dyn Subject, check: &CheckPaper, limit: Duration) -> CheckAnswers {
+    let start = Instant::now();
+    let mut answers = Vec::new();
+    for case in &check.cases {
+        match subject.ask(&case.question, limit.saturating_sub(start.elapsed())) {
+            Ok(answer) => answers.push(answer),
+            // What counts is the check's time, of which this case had the rest.
+            Err(Failure::TimedOut { .. }) => {
+                return CheckAnswers { answers, failure: Some(Failure::TimedOut { limit }) };
+            }
+            Err(failure) => return CheckAnswers { answers, failure: Some(failure) },
+        }
+    }
+    CheckAnswers { answers, failure: None }
+}
+
+/// Compares all answers with what `expected` gives for each case.
+fn judge(part: &PartPaper, answers: &[CheckAnswers], expected: &dyn Fn(&Case) -> Answer) -> Vec<CheckReport> {
+    let pairs = part.checks.iter().zip(answers);
+    pairs
+        .map(|(check, given)| CheckReport {
+            rubric: check.rubric,
+            state: judge_check(check, given, expected),
+        })
+        .collect()
+}
+
+fn judge_check(check: &CheckPaper, given: &CheckAnswers, expected: &dyn Fn(&Case) -> Answer) -> CheckState {
+    if let Some(failure) = &given.failure {
+        return CheckState::Failed(failure.clone());
+    }
+    let cases = check.cases.iter().zip(&given.answers);
+    let mut wrong = cases.filter_map(|(case, answer)| {
+        let difference = (case.difference)(case, &expected(case), answer)?;
+        Some((case, difference))
+    });
+    match wrong.next() {
+        None => CheckState::Right,
+        Some((case, difference)) => CheckState::Wrong(FirstCase {
+            inputs: case.inputs.clone(),
+            difference,
+            wrong: 1 + wrong.count(),
+            cases: check.cases.len(),
+        }),
+    }
+}
+
+/// The judgement by the exact reference, or by an accepted way where that gives more points.
+fn best_of(
+    part: &PartPaper,
+    answers: &[CheckAnswers],
+    exact: Vec<CheckReport>,
+) -> (Vec<CheckReport>, Option<&'static str>) {
+    let right = |checks: &[CheckReport]| checks.iter().filter(|check| is_right(check)).count();
+    let mut best = (exact, None);
+    for accepted in &part.accepted {
+        let checks = judge(part, answers, &|case| case.question.ask(&accepted.functions));
+        if right(&checks) > right(&best.0) {
+            best = (checks, Some(accepted.remark));
+        }
+    }
+    best
+}
+
+fn is_right(check: &CheckReport) -> bool {
+    matches!(check.state, CheckState::Right)
+}
+
+fn state(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport]) -> PartState {
+    if answered_like(part, answers, &part.template) {
+        return PartState::NotStarted;
+    }
+    let right = checks.iter().filter(|check| is_right(check)).count();
+    if right == checks.len() {
+        return PartState::Right;
+    }
+    if right > 0 {
+        return PartState::PartlyRight;
+    }
+    let failure = checks.iter().find_map(|check| match &check.state {
+        CheckState::Failed(failure) => Some(failure),
+        CheckState::Right | CheckState::Wrong(_) => None,
+    });
+    match failure {
+        None => PartState::Wrong,
+        Some(Failure::Panicked { .. }) => PartState::Panicked,
+        Some(Failure::TimedOut { .. }) => PartState::TimedOut,
+        Some(Failure::Crashed { .. } | Failure::NoAnswer { .. }) => PartState::Crashed,
+    }
+}
+
+fn answered_like(part: &PartPaper, answers: &[CheckAnswers], functions: &Functions) -> bool {
+    part.checks.iter().zip(answers).all(|(check, given)| {
+        given.failure.is_none()
+            && check
+                .cases
+                .iter()
+                .zip(&given.answers)
+                .all(|(case, answer)| *answer == case.question.ask(functions))
+    })
+}
+
+/// The misconceptions whose answers are the student's, in all checks where they can be seen.
+fn recognise(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport]) -> Vec<Named> {
+    let is_seen = |misconception: &&Misconception| {
+        let seen = |id| misconception.seen_in.contains(id);
+        let indices: Vec<usize> = (0..checks.len()).filter(|&index| seen(&checks[index].rubric.id)).collect();
+        let all_answered = indices.iter().all(|&index| answers[index].failure.is_none());
+        let any_wrong = indices.iter().any(|&index| !is_right(&checks[index]));
+        all_answered
+            && any_wrong
+            && misconception.variants.iter().any(|variant| {
+                indices.iter().all(|&index| answers_are(&part.checks[index], &answers[index], variant))
+            })
+    };
+    let named =
+        |m: &Misconception| Named { id: m.id, title: m.title, explanation: m.explanation, hint: m.hint };
+    part.misconceptions.iter().filter(is_seen).map(named).collect()
+}
+
+fn answers_are(check: &CheckPaper, given: &CheckAnswers, variant: &Functions) -> bool {
+    check.cases.iter().zip(&given.answers).all(|(case, answer)| {
+        let variants = case.question.ask(variant);
+        (case.difference)(case, &variants, answer).is_none()
+    })
+}

@@ -1,0 +1,234 @@
+//! Reports as text for a terminal.
+//!
+//! What is said in colour is said in words too. Colours are taken out again where the text is printed without them.
+
+use std::fmt::{self, Write};
+
+use anstyle::{AnsiColor, Style};
+
+use crate::{
+    CheckReport, CheckState, FirstCase, Named, PartReport, PartState, Rubric, TreeLine, Trouble, WholeReport,
+};
+
+/// The reports of one run, for printing by `Display`.
+pub struct Scoreboard<'a> {
+    /// What the exercise is worth.
+    pub rubric: &'a Rubric,
+    /// The parts that were asked, in order.
+    pub parts: &'a [PartReport],
+    /// The whole motion, if it was asked.
+    pub whole: Option<&'a WholeReport>,
+}
+
+/// Blue and yellow are told apart by nearly everyone.
+const RIGHT: Style = AnsiColor::Cyan.on_default().bold();
+const WRONG: Style = AnsiColor::Yellow.on_default().bold();
+const STRONG: Style = Style::new().bold();
+const FAINT: Style = Style::new().dimmed();
+
+/// Columns of text.
+const WIDTH: usize = 88;
+
+impl fmt::Display for Scoreboard<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for part in self.parts {
+            write_part(f, part)?;
+        }
+        if let Some(whole) = self.whole {
+            write_whole(f, whole, self.parts)?;
+        }
+        self.write_points(f)
+    }
+}
+
+impl Scoreboard<'_> {
+    fn write_points(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f)?;
+        for part in self.parts {
+            let (id, title) = (part.rubric.id, part.rubric.title);
+            let (points, of) = (part.points(), part.rubric.points());
+            let style = style_of(part.state);
+            writeln!(f, "  {id}  {title:<20} {points:>2} of {of}  {}", Styled(style, part.state.name()))?;
+        }
+        let points: u32 = self.parts.iter().map(PartReport::points).sum();
+        let of: u32 = self.parts.iter().map(|part| part.rubric.points()).sum();
+        let title = self.rubric.title;
+        writeln!(f)?;
+        if self.parts.len() == self.rubric.parts.len() {
+            let all = if points == of { " Well done: run `cargo view` and see it run." } else { "" };
+            writeln!(f, "{}{all}", Styled(STRONG, &format!("{title}: {points} of {of} points.")))
+        } else if !self.parts.is_empty() {
+            let asked = format!("{title}: {points} of {of} points in what was asked.");
+            writeln!(f, "{}", Styled(STRONG, &asked))
+        } else {
+            Ok(())
+        }
+    }
+}
+
+fn style_of(state: PartState) -> Style {
+    match state {
+        PartState::Right => RIGHT,
+        PartState::NotStarted => FAINT,
+        _ => WRONG,
+    }
+}
+
+fn write_part(f: &mut fmt::Formatter<'_>, part: &PartReport) -> fmt::Result {
+    let (id, function) = (part.rubric.id, part.rubric.function);
+    let (points, of) = (part.points(), part.rubric.points());
+    writeln!(f)?;
+    writeln!(
+        f,
+        "{}",
+        Styled(STRONG, &format!("{id}: {function}, {points} of {of} points, {}", part.state.name()))
+    )?;
+    if part.state == PartState::NotStarted {
+        return wrapped(
+            f,
+            2,
+            "Your function still does what the template does. Its comment says what it should do.",
+        );
+    }
+    for check in &part.checks {
+        write_check(f, check)?;
+    }
+    for named in &part.named {
+        write_named(f, named)?;
+    }
+    if let Some(remark) = part.remark {
+        writeln!(f)?;
+        wrapped(f, 2, remark)?;
+    }
+    let first = part.checks.iter().find_map(|check| match &check.state {
+        CheckState::Wrong(first) => Some((check.rubric.title, first)),
+        CheckState::Right | CheckState::Failed(_) => None,
+    });
+    if let Some((title, first)) = first {
+        if part.named.is_empty() {
+            writeln!(f)?;
+            wrapped(
+                f,
+                2,
+                "Your answers are those of no mistake that is known here. Look at the first case:",
+            )?;
+        }
+        write_first_case(f, title, first)?;
+    }
+    Ok(())
+}
+
+fn write_check(f: &mut fmt::Formatter<'_>, check: &CheckReport) -> fmt::Result {
+    let (of, title) = (check.rubric.points, check.rubric.title);
+    match &check.state {
+        CheckState::Right => writeln!(f, "  {}  {of} of {of}  {title}", Styled(RIGHT, "right")),
+        CheckState::Wrong(_) => writeln!(f, "  {}  0 of {of}  {title}", Styled(WRONG, "wrong")),
+        CheckState::Failed(failure) => {
+            writeln!(f, "  {}  0 of {of}  {title}", Styled(WRONG, "lost "))?;
+            wrapped(f, 17, &failure.to_string())
+        }
+    }
+}
+
+fn write_named(f: &mut fmt::Formatter<'_>, named: &Named) -> fmt::Result {
+    writeln!(f)?;
+    writeln!(f, "  {}", Styled(STRONG, named.title))?;
+    wrapped(f, 2, named.explanation)?;
+    wrapped(f, 2, &format!("Hint: {}", named.hint))
+}
+
+fn write_first_case(f: &mut fmt::Formatter<'_>, title: &str, first: &FirstCase) -> fmt::Result {
+    let FirstCase { inputs, difference, wrong, cases } = first;
+    writeln!(f)?;
+    wrapped(f, 2, &format!("The first case that differs ({title}; {wrong} of {cases} cases differ):"))?;
+    for (name, value) in inputs {
+        writeln!(f, "    {name:<18}  {value}")?;
+    }
+    writeln!(f, "    {:<18}  {}", "yours", Styled(WRONG, &difference.got))?;
+    writeln!(f, "    {:<18}  {}", "expected", Styled(RIGHT, &difference.expected))?;
+    writeln!(f, "    {:<18}  {}", "between the two", difference.between)
+}
+
+fn write_whole(f: &mut fmt::Formatter<'_>, whole: &WholeReport, parts: &[PartReport]) -> fmt::Result {
+    writeln!(f)?;
+    let heading = |text: &str| Styled(STRONG, &format!("whole motion: {text}")).to_string();
+    match &whole.trouble {
+        None => {
+            writeln!(f, "{}", heading("right"))?;
+            let frames = whole.frames;
+            wrapped(
+                f,
+                2,
+                &format!("With your three functions every joint is in its place in all {frames} frames."),
+            )
+        }
+        Some(Trouble::Failed(failure)) => {
+            writeln!(f, "{}", heading("no poses"))?;
+            wrapped(f, 2, &failure.to_string())
+        }
+        // A tree full of joints that nobody has begun to place would only be in the way.
+        Some(Trouble::Off { .. }) if parts.iter().any(|part| part.state == PartState::NotStarted) => {
+            writeln!(f, "{}", heading("not yet"))?;
+            wrapped(
+                f,
+                2,
+                "When all three parts are begun, this shows what they do together. It gives no points.",
+            )
+        }
+        Some(Trouble::Off { worst, first, frame, angles, tree }) => {
+            writeln!(f, "{}", heading("off"))?;
+            wrapped(f, 2, &format!("With your three functions together, {worst}."))?;
+            if let Some(angles) = angles {
+                wrapped(f, 2, angles)?;
+            }
+            wrapped(
+                f,
+                2,
+                &format!("In frame {frame} the first wrong joint is {first}: look at what it does."),
+            )?;
+            writeln!(f)?;
+            tree.iter().try_for_each(|line| write_tree_line(f, line))
+        }
+    }
+}
+
+fn write_tree_line(f: &mut fmt::Formatter<'_>, line: &TreeLine) -> fmt::Result {
+    let indent = "  ".repeat(line.depth.min(20));
+    let name = format!("{indent}{}", line.name);
+    match (&line.off, line.first) {
+        (None, _) => writeln!(f, "    {name:<34}  {}", Styled(RIGHT, "right")),
+        (Some(off), false) => writeln!(f, "    {name:<34}  {off}"),
+        (Some(off), true) => {
+            writeln!(f, "  > {name:<34}  {}", Styled(WRONG, &format!("{off}, the first wrong joint")))
+        }
+    }
+}
+
+/// Writes text in lines of at most `WIDTH` columns, indented.
+fn wrapped(f: &mut impl Write, indent: usize, text: &str) -> fmt::Result {
+    let mut column = 0;
+    for word in text.split_whitespace() {
+        if column > 0 && column + 1 + word.chars().count() > WIDTH {
+            writeln!(f)?;
+            column = 0;
+        }
+        if column == 0 {
+            write!(f, "{:indent$}", "")?;
+            column = indent;
+        } else {
+            write!(f, " ")?;
+            column += 1;
+        }
+        write!(f, "{word}")?;
+        column += word.chars().count();
+    }
+    writeln!(f)
+}
+
+struct Styled<'a>(Style, &'a str);
+
+impl fmt::Display for Styled<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}{:#}", self.0, self.1, self.0)
+    }
+}
