@@ -1,0 +1,261 @@
+//! The upper part of the text: the joints.
+
+use glam::Vec3;
+use skeleton::{Channel, JointId, Skeleton};
+
+use super::warning::warn;
+use super::{Error, ErrorKind, Warning, WarningKind};
+use crate::number;
+use crate::snippet::printable;
+use crate::source::{LONGEST_WORD, Place, Source, is_blank};
+
+/// Reads everything from `HIERARCHY` up to `MOTION`, which is taken too.
+pub(super) fn read(source: &mut Source, warnings: &mut Vec<Warning>) -> Result<Skeleton, Error> {
+    if !source.take_word("HIERARCHY") {
+        return Err(not_a_hierarchy(source));
+    }
+    let mut reader =
+        Reader { source, warnings, skeleton: Skeleton::new(), open: Vec::new(), places: Vec::new() };
+    reader.joints()?;
+    reader.warn_of_repeated_name();
+    Ok(reader.skeleton)
+}
+
+struct Reader<'a, 'r> {
+    source: &'a mut Source<'r>,
+    warnings: &'a mut Vec<Warning>,
+    skeleton: Skeleton,
+    /// The joints whose `}` has not come yet, the innermost last. A list, because a file can nest deeper than calls can.
+    open: Vec<JointId>,
+    /// Where each joint's name stands.
+    places: Vec<Place>,
+}
+
+impl Reader<'_, '_> {
+    fn joints(&mut self) -> Result<(), Error> {
+        loop {
+            match self.open.last().copied() {
+                None if self.source.take_word("ROOT") => self.joint(None)?,
+                None if !self.skeleton.is_empty() && self.source.take_word("MOTION") => return Ok(()),
+                None => return Err(self.not_a_root()),
+                Some(parent) if self.source.take_word("JOINT") => self.joint(Some(parent))?,
+                Some(parent) if self.source.is_word("End") => self.end_site(parent)?,
+                Some(_) if self.source.take_word("}") => {
+                    self.open.pop();
+                }
+                Some(parent) => return Err(self.not_a_part_of(parent)),
+            }
+        }
+    }
+
+    /// Reads a joint from its name up to its channels. What else belongs to it, up to its `}`, comes later.
+    fn joint(&mut self, parent: Option<JointId>) -> Result<(), Error> {
+        let (name, place) = self.name()?;
+        if name.is_empty() {
+            let keyword = if parent.is_some() { "JOINT" } else { "ROOT" };
+            return Err(Error::here(self.source, ErrorKind::NoName { keyword }));
+        }
+        if parent.is_none() && !self.skeleton.is_empty() {
+            warn(self.warnings, place, WarningKind::SeveralRoots);
+        }
+        self.take("{", "{")?;
+        let (mut offset, mut channels) = (None, None);
+        loop {
+            if offset.is_none() && self.source.take_word("OFFSET") {
+                offset = Some(self.vector()?);
+            } else if channels.is_none() && self.source.take_word("CHANNELS") {
+                channels = Some(self.channels()?);
+            } else {
+                break;
+            }
+        }
+        let Some(offset) = offset else {
+            return Err(Error::unexpected(self.source, "OFFSET and three numbers"));
+        };
+        let channels = channels.unwrap_or_else(|| {
+            warn(self.warnings, place, WarningKind::NoChannels { joint: printable(name.as_bytes()) });
+            Vec::new()
+        });
+        if let Ok(id) = self.skeleton.add_joint(parent, name, offset, channels) {
+            self.open.push(id);
+            self.places.push(place);
+        }
+        Ok(())
+    }
+
+    /// Reads an End Site, the `}` included.
+    fn end_site(&mut self, parent: JointId) -> Result<(), Error> {
+        if !is_end_site(self.source.peek_line()) {
+            return Err(Error::unexpected(self.source, "End Site"));
+        }
+        let (name, place) = self.name()?;
+        self.take("{", "{")?;
+        self.take("OFFSET", "OFFSET and three numbers")?;
+        let offset = self.vector()?;
+        self.take("}", "}: an End Site has an OFFSET and nothing else")?;
+        if self.skeleton.add_end_site(parent, name, offset).is_ok() {
+            self.places.push(place);
+        }
+        Ok(())
+    }
+
+    /// Takes the rest of the line, or what stands in front of a lone `{` in it. Gives the name and its place.
+    fn name(&mut self) -> Result<(String, Place), Error> {
+        let line = self.source.peek_line();
+        let end = lone_brace(line).unwrap_or(line.len());
+        if end > LONGEST_WORD {
+            return Err(Error::here(self.source, ErrorKind::LongName { longest: LONGEST_WORD }));
+        }
+        let name = &line[..end];
+        let behind = name.iter().rposition(|&byte| !is_blank(byte)).map_or(0, |last| last + 1);
+        let (name, is_utf8) = match std::str::from_utf8(&name[..behind]) {
+            Ok(name) => (name.to_owned(), true),
+            Err(_) => (String::from_utf8_lossy(&name[..behind]).into_owned(), false),
+        };
+        let place = self.source.place();
+        if !is_utf8 {
+            warn(self.warnings, place, WarningKind::NameEncoding { name: printable(name.as_bytes()) });
+        }
+        self.source.take(behind);
+        Ok((name, place))
+    }
+
+    fn vector(&mut self) -> Result<Vec3, Error> {
+        Ok(Vec3::new(self.number()?, self.number()?, self.number()?))
+    }
+
+    fn number(&mut self) -> Result<f32, Error> {
+        let word = self.source.peek();
+        let length = word.len();
+        match number::parse(word) {
+            Ok(number) => {
+                self.source.take(length);
+                Ok(number)
+            }
+            Err(problem) => {
+                let word = word.to_vec();
+                Err(Error::bad_number(self.source, &word, problem))
+            }
+        }
+    }
+
+    /// Reads the number behind `CHANNELS` and as many words.
+    fn channels(&mut self) -> Result<Vec<Channel>, Error> {
+        let word = self.source.peek();
+        let length = word.len();
+        let Some(declared) = super::whole_number(word) else {
+            return Err(Error::unexpected(self.source, "the number of channels"));
+        };
+        self.source.take(length);
+        let mut channels = Vec::new();
+        loop {
+            let word = self.source.peek();
+            let length = word.len();
+            match std::str::from_utf8(word).ok().and_then(Channel::from_word) {
+                Some(channel) if channels.contains(&channel) => {
+                    return Err(Error::here(self.source, ErrorKind::RepeatedChannel { channel }));
+                }
+                Some(channel) => channels.push(channel),
+                None => break,
+            }
+            self.source.take(length);
+        }
+        let listed = channels.len() as u64;
+        match listed == declared {
+            true => Ok(channels),
+            false => Err(self.miscounted_channels(declared, listed)),
+        }
+    }
+
+    /// The list of channels is over too soon or too late.
+    fn miscounted_channels(&mut self, declared: u64, listed: u64) -> Error {
+        const OTHER_WORDS: [&str; 7] = ["{", "}", "JOINT", "End", "OFFSET", "CHANNELS", "MOTION"];
+        let word = self.source.peek();
+        let is_other = OTHER_WORDS.iter().any(|other| other.as_bytes().eq_ignore_ascii_case(word));
+        if listed > declared || is_other {
+            return Error::here(self.source, ErrorKind::ChannelCount { declared, listed });
+        }
+        let found = printable(word);
+        match Error::unexpected(self.source, "another channel") {
+            error if matches!(error.kind(), ErrorKind::Unexpected { .. }) => {
+                Error::here(self.source, ErrorKind::UnknownChannel { found })
+            }
+            error => error,
+        }
+    }
+
+    fn take(&mut self, word: &str, expected: &'static str) -> Result<(), Error> {
+        match self.source.take_word(word) {
+            true => Ok(()),
+            false => Err(Error::unexpected(self.source, expected)),
+        }
+    }
+
+    fn not_a_root(&mut self) -> Error {
+        if self.source.is_word("}") {
+            return Error::here(self.source, ErrorKind::NothingToClose);
+        }
+        Error::unexpected(self.source, if self.skeleton.is_empty() { "ROOT" } else { "ROOT or MOTION" })
+    }
+
+    fn not_a_part_of(&mut self, parent: JointId) -> Error {
+        let closes_all = ["MOTION", "ROOT", ""].into_iter().any(|word| self.source.is_word(word));
+        if !closes_all {
+            return Error::unexpected(self.source, "JOINT, End Site or }");
+        }
+        let joint = self.skeleton.label(parent);
+        let line = self.places.get(parent.0).map_or(0, |place| place.line);
+        Error::here(self.source, ErrorKind::NotClosed { joint: printable(joint.as_bytes()), line })
+    }
+
+    /// Warns if two joints share a name: at the first that repeats one.
+    fn warn_of_repeated_name(&mut self) {
+        let joints = self.skeleton.joints();
+        let mut by_name: Vec<usize> = (0..joints.len()).filter(|&id| !joints[id].is_end_site).collect();
+        // A stable sort: joints of one name stay in the order of the file.
+        by_name.sort_by_key(|&id| &joints[id].name);
+        let same_name = |pair: &&[usize]| joints[pair[0]].name == joints[pair[1]].name;
+        let Some(&[first, second]) = by_name
+            .windows(2)
+            .filter(same_name)
+            .min_by_key(|pair| pair[1])
+            .and_then(|pair| pair.first_chunk())
+        else {
+            return;
+        };
+        let name = printable(joints[second].name.as_bytes());
+        let kind = WarningKind::RepeatedName { name, first_line: self.places[first].line };
+        warn(self.warnings, self.places[second], kind);
+    }
+}
+
+/// Where in `line` a `{` stands that is no part of a longer word.
+pub(super) fn lone_brace(line: &[u8]) -> Option<usize> {
+    let is_edge = |at: usize| line.get(at).is_none_or(|&byte| is_blank(byte));
+    (0..line.len()).find(|&at| line[at] == b'{' && (at == 0 || is_edge(at - 1)) && is_edge(at + 1))
+}
+
+/// Whether a line that begins with the word `End` goes on with `Site`.
+pub(super) fn is_end_site(line: &[u8]) -> bool {
+    let mut words = line.split(|&byte| is_blank(byte)).filter(|word| !word.is_empty());
+    let is = |word: Option<&[u8]>, wanted: &[u8]| word.is_some_and(|word| word.eq_ignore_ascii_case(wanted));
+    is(words.next(), b"End") && is(words.next().and_then(|word| word.get(..4)), b"Site")
+}
+
+/// The text does not begin as it should. What else may it be?
+fn not_a_hierarchy(source: &mut Source) -> Error {
+    let word = source.peek();
+    let found = printable(word);
+    let guess = match word {
+        [] => return Error::here(source, ErrorKind::Empty),
+        word if super::error::is_conflict_mark(word) => return Error::unexpected(source, "HIERARCHY"),
+        [b'{' | b'[', ..] => " (JSON?)",
+        [b'<', ..] => " (XML?)",
+        [b'#' | b':', ..] => " (Acclaim?)",
+        word if word.iter().any(u8::is_ascii_control) || std::str::from_utf8(word).is_err() => {
+            " (not a text?)"
+        }
+        _ => "",
+    };
+    Error::here(source, ErrorKind::NotBvh { found, guess })
+}

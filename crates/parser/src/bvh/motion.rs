@@ -1,0 +1,190 @@
+//! The lower part of the text: the frames.
+
+use skeleton::{Motion, Skeleton};
+
+use super::rows::Rows;
+use super::warning::warn;
+use super::{Error, ErrorKind, Warning, WarningKind};
+use crate::number::{self, BadNumber};
+use crate::snippet::printable;
+use crate::source::{Lines, Place, Source, WholeWords, is_blank};
+
+/// The fewest numbers that room is made for at once.
+const LEAST_ROOM: usize = 16 * 1024;
+
+/// Reads everything behind `MOTION`.
+pub(super) fn read(
+    source: &mut Source,
+    skeleton: Skeleton,
+    warnings: &mut Vec<Warning>,
+) -> Result<Motion, Error> {
+    let declared = frame_count(source)?;
+    let frame_time = frame_time(source, warnings)?;
+    let mut numbers = Numbers::new(declared, skeleton.channel_count() as u64);
+    numbers.read(source, warnings)?;
+    numbers.check(source, warnings)?;
+    let Numbers { values, .. } = numbers;
+    // The numbers are there, so their count, and with it that of the frames, is one that memory can hold.
+    let frames = values.len().checked_div(skeleton.channel_count()).unwrap_or(0);
+    if frames as u64 != declared {
+        warn(warnings, source.place(), WarningKind::EmptyFrames { declared });
+    }
+    Motion::new(skeleton, frames, frame_time, values).map_err(|_| Error::unexpected(source, "whole frames"))
+}
+
+/// Reads `Frames: 120`.
+fn frame_count(source: &mut Source) -> Result<u64, Error> {
+    if !source.take_word("Frames") || !source.take_word(":") {
+        return Err(Error::unexpected(source, "`Frames:` and the number of frames"));
+    }
+    let word = source.peek();
+    let length = word.len();
+    match super::whole_number(word) {
+        Some(count) => {
+            source.take(length);
+            Ok(count)
+        }
+        None => Err(Error::unexpected(source, "the number of frames")),
+    }
+}
+
+/// Reads `Frame Time: 0.0333`.
+fn frame_time(source: &mut Source, warnings: &mut Vec<Warning>) -> Result<f64, Error> {
+    if !["Frame", "Time", ":"].into_iter().all(|word| source.take_word(word)) {
+        return Err(Error::unexpected(source, "`Frame Time:` and the seconds from one frame to the next"));
+    }
+    let word = source.peek();
+    let length = word.len();
+    match number::parse::<f64>(word) {
+        Ok(seconds) => {
+            if seconds <= 0.0 {
+                warn(warnings, source.place(), WarningKind::FrameTime { seconds });
+            }
+            source.take(length);
+            Ok(seconds)
+        }
+        Err(problem) => {
+            let word = word.to_vec();
+            Err(Error::bad_number(source, &word, problem))
+        }
+    }
+}
+
+/// The numbers of all frames.
+struct Numbers {
+    declared: u64,
+    channels: u64,
+    /// How many numbers the frames need. More than memory can hold is as good as endless.
+    wanted: usize,
+    values: Vec<f32>,
+    /// How many values may come until it is time to make room, or to stop.
+    limit: usize,
+    /// Numbers beyond those wanted, and the place of the first.
+    surplus: u64,
+    first_surplus: Option<Place>,
+    rows: Rows,
+}
+
+impl Numbers {
+    fn new(declared: u64, channels: u64) -> Self {
+        let wanted = usize::try_from(declared.saturating_mul(channels)).unwrap_or(usize::MAX);
+        let rows = Rows::new(channels);
+        let (values, limit, surplus, first_surplus) = (Vec::new(), 0, 0, None);
+        Numbers { declared, channels, wanted, values, limit, surplus, first_surplus, rows }
+    }
+
+    /// Reads numbers up to the end of the text, or up to the first word behind the last frame that is none.
+    fn read(&mut self, source: &mut Source, warnings: &mut Vec<Warning>) -> Result<(), Error> {
+        loop {
+            let words = source.whole_words();
+            let (text, at) = (words.text, *words.at);
+            if at == text.len() {
+                break;
+            }
+            let Err((problem, word)) = self.take_all(words) else { continue };
+            let is_conflict = super::error::is_conflict_mark(&word);
+            if self.values.len() < self.wanted || is_conflict {
+                return Err(Error::bad_number(source, &word, problem));
+            }
+            warn(warnings, source.place(), WarningKind::Junk { found: printable(&word) });
+            break;
+        }
+        self.rows.end_line(source.place().line, self.count());
+        Ok(())
+    }
+
+    /// Takes numbers as long as there are numbers. Otherwise gives the word that is none, and what it is.
+    fn take_all(&mut self, words: WholeWords) -> Result<(), (BadNumber, Vec<u8>)> {
+        let WholeWords { text, at: taken, lines } = words;
+        let mut at = *taken;
+        let result = loop {
+            match text.get(at) {
+                None => break Ok(()),
+                Some(b'\n' | b'\r') => {
+                    self.rows.end_line(lines.line, self.count());
+                    at = lines.take_break(text, at);
+                }
+                Some(&byte) if is_blank(byte) => at += 1,
+                Some(_) => match number::leading(&text[at..]) {
+                    Ok((number, length)) => {
+                        if self.values.len() < self.limit || self.make_room() {
+                            self.values.push(number);
+                        } else {
+                            self.count_surplus(text, at, lines);
+                        }
+                        at += length;
+                    }
+                    Err(problem) => {
+                        let rest = &text[at..];
+                        let end = rest.iter().position(|&byte| is_blank(byte)).unwrap_or(rest.len());
+                        break Err((problem, rest[..end].to_vec()));
+                    }
+                },
+            }
+        };
+        *taken = at;
+        result
+    }
+
+    /// Makes room for some more values. Gives false if no more are wanted.
+    #[cold]
+    fn make_room(&mut self) -> bool {
+        let step = LEAST_ROOM.max(self.values.len() / 2).min(self.wanted - self.values.len());
+        self.values.reserve_exact(step);
+        self.limit = self.values.len() + step;
+        step > 0
+    }
+
+    #[cold]
+    fn count_surplus(&mut self, text: &[u8], at: usize, lines: &Lines) {
+        self.first_surplus.get_or_insert_with(|| lines.place(text, at));
+        self.surplus += 1;
+    }
+
+    /// How many numbers there have been.
+    fn count(&self) -> u64 {
+        self.values.len() as u64 + self.surplus
+    }
+
+    /// Whether the numbers are as many as they should be, and in lines that make sense.
+    fn check(&self, source: &mut Source, warnings: &mut Vec<Warning>) -> Result<(), Error> {
+        let (frames, channels) = (self.declared, self.channels);
+        if self.values.len() < self.wanted {
+            let odd_line = self.rows.odd_line();
+            let kind = ErrorKind::TooFewNumbers { frames, channels, found: self.count(), odd_line };
+            return Err(match odd_line {
+                Some((line, _)) => Error::in_line(line, kind),
+                None => Error::here(source, kind),
+            });
+        }
+        if let Some(place) = self.first_surplus {
+            if let Some((line, width)) = self.rows.unfit_line(frames) {
+                return Err(Error::in_line(line, ErrorKind::RowWidth { width, channels }));
+            }
+            warn(warnings, place, WarningKind::MoreRows { declared: frames, surplus: self.surplus });
+        } else if let Some((line, width)) = self.rows.uneven_line(frames) {
+            warn(warnings, Place { line, column: 1 }, WarningKind::UnevenRows { width, channels });
+        }
+        Ok(())
+    }
+}

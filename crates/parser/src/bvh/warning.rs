@@ -1,0 +1,106 @@
+//! What is read although it is not as it should be.
+
+use std::fmt;
+
+use crate::source::Place;
+
+/// Something odd in a text that could be read all the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warning {
+    /// Where: the line, from 1.
+    pub line: u64,
+    /// Where in the line: the character, from 1.
+    pub column: u64,
+    /// What.
+    pub kind: WarningKind,
+}
+
+/// What is odd, and what has been made of it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum WarningKind {
+    /// The text is UTF-16.
+    #[error("the text is UTF-16; it was converted. Save it as UTF-8 so that other programs can read it")]
+    Utf16,
+    /// Lines end with a carriage return alone.
+    #[error("the line ends with a lone carriage return; it was read as a line break")]
+    LoneReturn,
+    /// A name is not UTF-8.
+    #[error("the name `{name}` is not UTF-8; what cannot be read of it was replaced")]
+    NameEncoding {
+        /// The name as it was read.
+        name: String,
+    },
+    /// A joint says nothing about its channels.
+    #[error("`{joint}` has no CHANNELS; it was read as a joint that never moves")]
+    NoChannels {
+        /// The joint's name.
+        joint: String,
+    },
+    /// There is more than one root.
+    #[error("this is a second ROOT; every root moves on its own")]
+    SeveralRoots,
+    /// Several joints have the same name.
+    #[error(
+        "the name `{name}` was used in line {first_line} already; the joints are told apart by their order"
+    )]
+    RepeatedName {
+        /// The name.
+        name: String,
+        /// Where it stands first.
+        first_line: u64,
+    },
+    /// The frame time is zero or negative.
+    #[error("a Frame Time of {seconds} s cannot be played; 30 frames per second are played instead")]
+    FrameTime {
+        /// As it was read.
+        seconds: f64,
+    },
+    /// There are frames, but nothing that could move in them.
+    #[error(
+        "no joint has channels, so that the {declared} frames are empty; the motion was read without frames"
+    )]
+    EmptyFrames {
+        /// Frames that the text declares.
+        declared: u64,
+    },
+    /// As many lines as frames, and in sum the right number of values, but not on every line.
+    #[error(
+        "this line holds {width} numbers, a frame {channels}; the numbers were read on across the line ends, \
+         because in sum they are right"
+    )]
+    UnevenRows {
+        /// Numbers on the line.
+        width: u64,
+        /// Numbers of a frame.
+        channels: u64,
+    },
+    /// There are more numbers than the frames need.
+    #[error("`Frames:` says {declared}, but {surplus} more numbers follow; they were left out")]
+    MoreRows {
+        /// Frames that the text declares.
+        declared: u64,
+        /// Numbers beyond.
+        surplus: u64,
+    },
+    /// Behind the last frame there is something that is no number.
+    #[error("`{found}` stands behind the last frame; it was left out, and all behind it")]
+    Junk {
+        /// The first word of it.
+        found: String,
+    },
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}, column {}: {}", self.line, self.column, self.kind)
+    }
+}
+
+/// Adds a warning, unless there is one of its kind already: a bad file must not fill the memory with complaints.
+pub(super) fn warn(warnings: &mut Vec<Warning>, place: Place, kind: WarningKind) {
+    let same = |other: &Warning| std::mem::discriminant(&other.kind) == std::mem::discriminant(&kind);
+    if !warnings.iter().any(same) {
+        warnings.push(Warning { line: place.line, column: place.column, kind });
+    }
+}
