@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -16,13 +17,19 @@ use crate::{Answer, Failure, Question, Subject};
 /// When it crashes or takes too long it is ended, and the next question starts a new one.
 pub struct WorkerProcess {
     command: Command,
+    printed: Printed,
     running: Option<Running>,
 }
 
 impl WorkerProcess {
     /// A worker that `command` starts when the first question is asked.
     pub fn new(command: Command) -> Self {
-        WorkerProcess { command, running: None }
+        WorkerProcess { command, printed: Printed::to(io::stdout()), running: None }
+    }
+
+    /// The same worker, whose print goes to `sink` instead.
+    pub fn printing_to(self, sink: impl Write + Send + 'static) -> Self {
+        WorkerProcess { printed: Printed::to(sink), ..self }
     }
 }
 
@@ -31,7 +38,7 @@ impl Subject for WorkerProcess {
         let message = wire::to_bytes(question).map_err(no_answer)?;
         let mut running = match self.running.take() {
             Some(running) => running,
-            None => Running::start(&mut self.command).map_err(no_answer)?,
+            None => Running::start(&mut self.command, self.printed.clone()).map_err(no_answer)?,
         };
         let result = running.ask(message, question.answer_limit(), limit);
         // After a panic the worker goes on; after anything else that is not an answer it is in an unknown state.
@@ -42,7 +49,7 @@ impl Subject for WorkerProcess {
     }
 }
 
-/// Bytes that one worker may print.
+/// Bytes that the functions may print.
 const PRINT_LIMIT: usize = 1 << 20;
 
 /// Bytes that a panic's message and place may add to a reply.
@@ -56,7 +63,7 @@ struct Running {
 }
 
 impl Running {
-    fn start(command: &mut Command) -> io::Result<Running> {
+    fn start(command: &mut Command, printed: Printed) -> io::Result<Running> {
         let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let (Some(mut stdin), Some(stdout)) = (child.stdin.take(), child.stdout.take()) else {
             return Err(io::Error::other("the worker has no pipes"));
@@ -78,7 +85,7 @@ impl Running {
         let (limits, wanted) = mpsc::channel::<usize>();
         let (to_asker, replies) = mpsc::channel();
         thread::Builder::new().name("from worker".into()).spawn(move || {
-            let mut stream = ReplyStream::new(stdout, Printed::default(), marker);
+            let mut stream = ReplyStream::new(stdout, printed, marker);
             while let Ok(limit) = wanted.recv() {
                 let reply = stream.next_reply(limit);
                 let last = !matches!(reply, Ok(Some(_)));
@@ -125,23 +132,32 @@ fn no_answer(error: io::Error) -> Failure {
 }
 
 /// What the student's code prints, on its way to the terminal.
-#[derive(Default)]
+#[derive(Clone)]
 struct Printed {
+    sink: Arc<Mutex<dyn Write + Send>>,
     count: usize,
+}
+
+impl Printed {
+    fn to(sink: impl Write + Send + 'static) -> Self {
+        Printed { sink: Arc::new(Mutex::new(sink)), count: 0 }
+    }
 }
 
 impl Write for Printed {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let allowed = PRINT_LIMIT.saturating_sub(self.count).min(bytes.len());
-        io::stdout().write_all(&bytes[..allowed])?;
-        if self.count < PRINT_LIMIT && self.count + bytes.len() >= PRINT_LIMIT {
-            println!("\n(your code prints very much: the rest is left out)");
+        let mut sink = self.sink.lock().unwrap_or_else(PoisonError::into_inner);
+        let before = self.count;
+        self.count = before.saturating_add(bytes.len());
+        let allowed = PRINT_LIMIT.saturating_sub(before).min(bytes.len());
+        sink.write_all(&bytes[..allowed])?;
+        if before <= PRINT_LIMIT && self.count > PRINT_LIMIT {
+            writeln!(sink, "\n(your code prints very much: the rest is left out)")?;
         }
-        self.count = self.count.saturating_add(bytes.len());
         Ok(bytes.len())
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        io::stdout().flush()
+        self.sink.lock().unwrap_or_else(PoisonError::into_inner).flush()
     }
 }

@@ -19,7 +19,15 @@ pub(super) trait Pi {
 
 macro_rules! pi {
     ($(#[$doc:meta] $name:ident = $value:expr;)*) => {
-        $(#[$doc] pub(super) struct $name; impl Pi for $name { const PI: f32 = $value; })*
+        $(
+            #[$doc]
+            pub(super) struct $name;
+
+            impl Pi for $name {
+                #[allow(clippy::approx_constant)] // Being approximate is what they are for.
+                const PI: f32 = $value;
+            }
+        )*
     };
 }
 
@@ -113,7 +121,7 @@ pub(super) mod local {
     }
 
     pub fn w_first<P: Pi>(joint: &Joint, frame: &mut FrameCursor) -> Quat {
-        w_to_front(right::<P>(joint, frame))
+        from_frame::<P>(joint, frame, |axes, angles| w_to_front(in_order(axes, angles)))
     }
 
     pub fn w_first_in_factors<P: Pi>(joint: &Joint, frame: &mut FrameCursor) -> Quat {
