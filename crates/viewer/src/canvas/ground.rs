@@ -1,0 +1,158 @@
+//! The background: the sky, and a grid on the ground that fades towards the horizon.
+
+use super::{Canvas, Color};
+use crate::camera::View;
+
+/// A level plane with a grid of squares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ground {
+    /// Its height: the world's Y, in world units.
+    pub height: f32,
+    /// The side of a square, in world units. Every fifth line is stronger.
+    pub cell: f32,
+}
+
+/// How many cells lie between two strong lines.
+const STRONG: f32 = 5.0;
+
+/// Widths of the lines, in cells.
+const LINE_WIDTH: f32 = 0.022;
+const STRONG_LINE_WIDTH: f32 = 0.05;
+
+const ZENITH: Color = Color(0xC3_CF_DD);
+const HORIZON: Color = Color(0xDF_E4_E8);
+const PLANE: Color = Color(0xD6_D9_DB);
+const LINE: Color = Color(0xAE_B5_BE);
+const STRONG_LINE: Color = Color(0x84_8D_99);
+
+impl Canvas {
+    /// Fills the whole picture with sky and ground, infinitely far. `reach` is the distance, in world units, at which
+    /// a good part of the ground has faded away.
+    pub fn background(&mut self, view: &View, ground: Ground, reach: f32) {
+        self.nearness.fill(0.0);
+        for (y, row) in self.pixels.chunks_exact_mut(self.width).enumerate() {
+            let slope = (view.centre.y - (y as f32 + 0.5)) / view.focal;
+            let sight = view.forward + view.up * slope;
+            // The camera does not roll: a row of the picture meets the ground at one depth.
+            let depth = (ground.height - view.eye.y) / sight.y;
+            if !(depth > 0.0 && depth.is_finite() && ground.cell > 0.0) {
+                row.fill(HORIZON.mix(ZENITH, 1.6 * sight.y.abs()).0);
+                continue;
+            }
+            let haze = 1.0 - (-(depth / reach).powi(2)).exp();
+            let plane = PLANE.mix(HORIZON, haze);
+            let (line, strong_line) = (LINE.mix(HORIZON, haze), STRONG_LINE.mix(HORIZON, haze));
+
+            // Along the row, and from this row to the next, the point on the ground moves by these steps.
+            let along = view.right * (depth / view.focal);
+            let across = (view.up - sight * (view.up.y / sight.y)) * (depth / view.focal);
+            let start = sight - view.right * ((view.centre.x - 0.5) / view.focal);
+            let lines = [
+                GridLines::new(view.eye.x, depth * start.x, along.x, across.x, ground.cell),
+                GridLines::new(view.eye.z, depth * start.z, along.z, across.z, ground.cell),
+            ];
+            for (x, pixel) in row.iter_mut().enumerate() {
+                let [(weak_x, strong_x), (weak_z, strong_z)] = lines.map(|lines| lines.coverage(x as f32));
+                let color = plane.mix(line, weak_x.max(weak_z)).mix(strong_line, strong_x.max(strong_z));
+                *pixel = color.0;
+            }
+        }
+    }
+}
+
+/// The grid lines that lie across one world axis, seen along one row of the picture. Lengths are in cells.
+#[derive(Clone, Copy)]
+struct GridLines {
+    start: f32,
+    step: f32,
+    /// How much of the axis one pixel covers.
+    footprint: f32,
+}
+
+impl GridLines {
+    fn new(eye: f32, start: f32, step: f32, across: f32, cell: f32) -> GridLines {
+        // In double precision and within one strong square: the eye may be far from the origin.
+        let start = ((f64::from(eye) + f64::from(start)) / f64::from(cell)).rem_euclid(f64::from(STRONG));
+        let footprint = ((step.abs() + across.abs()) / cell).max(1e-4);
+        GridLines { start: start as f32, step: step / cell, footprint }
+    }
+
+    /// The share of pixel `x` that weak and strong lines cover, 0 to 1 each.
+    fn coverage(&self, x: f32) -> (f32, f32) {
+        let at = self.start + self.step * x;
+        let weak = line_coverage(at, self.footprint, LINE_WIDTH);
+        let strong = line_coverage(at / STRONG, self.footprint / STRONG, STRONG_LINE_WIDTH / STRONG);
+        (weak, strong)
+    }
+}
+
+/// How much of a pixel that covers `footprint` around `at` is covered by lines of this width at all whole numbers.
+fn line_coverage(at: f32, footprint: f32, width: f32) -> f32 {
+    let away = (at - at.round()).abs();
+    let overlap = (0.5 * (width + footprint) - away) / footprint;
+    let one_line = overlap.clamp(0.0, (width / footprint).min(1.0));
+    // Where a pixel covers a whole cell, lines can no longer be told apart: only their average shade is left.
+    let blur = (2.0 * footprint - 0.6).clamp(0.0, 1.0);
+    one_line + (width - one_line) * blur
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::camera::Camera;
+
+    fn picture(camera: Camera, ground: Ground) -> Canvas {
+        let mut canvas = Canvas::new(64, 48);
+        canvas.background(&camera.view((64, 48)), ground, 4.0 * camera.distance);
+        canvas
+    }
+
+    #[test]
+    fn the_average_shade_of_the_lines_is_their_share_of_the_ground() {
+        for footprint in [0.01, 0.1, 0.3, 0.7, 3.0] {
+            let samples = (0..10_000).map(|i| line_coverage(i as f32 * 1e-3, footprint, 0.05));
+            let average: f32 = samples.sum::<f32>() / 10_000.0;
+            assert!((average - 0.05).abs() < 0.003, "{average} with a footprint of {footprint}");
+        }
+    }
+
+    #[test]
+    fn a_line_of_the_grid_is_where_the_projection_puts_it() {
+        let camera = Camera { target: Vec3::ZERO, azimuth: 0.4, elevation: 0.6, distance: 8.0 };
+        let view = camera.view((640, 480));
+        let mut canvas = Canvas::new(640, 480);
+        canvas.background(&view, Ground { height: 0.5, cell: 1.0 }, 1e6);
+        let shade = |x: f32, z: f32| {
+            let spot = view.project(Vec3::new(x, 0.5, z)).unwrap();
+            canvas.pixel(spot.x as usize, spot.y as usize).unwrap().channels()[0]
+        };
+        for step in 0..9 {
+            let along = -0.9 + 0.2 * step as f32;
+            assert!(shade(0.0, along) < 0x90, "a strong line");
+            assert!(shade(along, 1.0) < 0xC0, "a line");
+            assert!(shade(0.5, 0.5) > 0xD0, "between the lines");
+        }
+    }
+
+    #[test]
+    fn there_is_sky_above_the_horizon_and_ground_below_it_also_when_seen_from_below() {
+        let camera = Camera { target: Vec3::ZERO, azimuth: 0.0, elevation: 0.3, distance: 8.0 };
+        let canvas = picture(Camera { elevation: 0.1, ..camera }, Ground { height: -1.0, cell: 1e6 });
+        assert!(canvas.pixel(3, 3).unwrap().channels()[2] > canvas.pixel(3, 44).unwrap().channels()[2]);
+        let canvas = picture(Camera { elevation: -0.1, ..camera }, Ground { height: 1.0, cell: 1e6 });
+        assert!(canvas.pixel(3, 44).unwrap().channels()[2] > canvas.pixel(3, 3).unwrap().channels()[2]);
+    }
+
+    proptest! {
+        #[test]
+        fn no_numbers_make_it_panic(raw in any::<[f32; 9]>()) {
+            let target = Vec3::new(raw[0], raw[1], raw[2]);
+            let camera = Camera { target, azimuth: raw[3], elevation: raw[4], distance: raw[5] };
+            let mut canvas = Canvas::new(8, 8);
+            canvas.background(&camera.view((8, 8)), Ground { height: raw[6], cell: raw[7] }, raw[8]);
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! Text on top of the picture.
+
+use std::collections::HashMap;
+
+use fontdue::{Font, FontSettings};
+
+use super::{Canvas, Color};
+
+/// Regular or bold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Weight {
+    /// Regular.
+    Regular,
+    /// Bold.
+    Bold,
+}
+
+/// The letters of all text, DejaVu Sans, with those that have been drawn kept ready.
+pub struct Typeface {
+    regular: Option<Font>,
+    bold: Option<Font>,
+    letters: HashMap<(char, Weight, u32), Letter>,
+}
+
+/// One drawn letter.
+#[derive(Default)]
+struct Letter {
+    /// In pixels. The top is counted from the baseline, downwards.
+    left: i32,
+    top: i32,
+    width: usize,
+    /// The share of each pixel that the letter covers, 255 for all of it, row by row.
+    coverage: Vec<u8>,
+    /// How far the next letter is away, in pixels.
+    advance: f32,
+}
+
+/// Keeps the memory for drawn letters small when a text in some other script is very long.
+const MOST_LETTERS: usize = 4096;
+
+impl Default for Typeface {
+    fn default() -> Self {
+        Typeface::new()
+    }
+}
+
+impl Typeface {
+    /// Reads the letters. Takes some milliseconds: make one and keep it.
+    pub fn new() -> Typeface {
+        // The fonts are part of the program: that they can be read is tested below. If they could not, the viewer
+        // would still show its figures, without text.
+        let read = |bytes: &[u8]| Font::from_bytes(bytes, FontSettings::default()).ok();
+        Typeface {
+            regular: read(dejavu::sans::regular()),
+            bold: read(dejavu::sans::bold()),
+            letters: HashMap::new(),
+        }
+    }
+
+    /// How long `text` is, in pixels, with letters of `size` pixels.
+    pub fn width(&mut self, text: &str, size: u32, weight: Weight) -> f32 {
+        text.chars().map(|char| self.letter(char, size, weight).advance).sum()
+    }
+
+    /// Breaks `text` between words into lines of at most `width` pixels. A word that is longer is broken anywhere.
+    pub fn wrap(&mut self, text: &str, size: u32, weight: Weight, width: f32) -> Vec<String> {
+        let mut lines = Vec::new();
+        for paragraph in text.lines() {
+            let mut line = String::new();
+            for word in paragraph.split_inclusive(' ') {
+                let longer = format!("{line}{word}");
+                if line.is_empty() || self.width(longer.trim_end(), size, weight) <= width {
+                    line = longer;
+                } else {
+                    lines.push(std::mem::replace(&mut line, word.to_owned()));
+                }
+                while let Some(rest) = self.cut(&mut line, size, weight, width) {
+                    lines.push(std::mem::replace(&mut line, rest));
+                }
+            }
+            lines.push(line);
+        }
+        lines
+    }
+
+    /// Cuts `line` to at most `width` pixels, but not to less than one letter, and gives the rest, if any.
+    fn cut(&mut self, line: &mut String, size: u32, weight: Weight, width: f32) -> Option<String> {
+        let mut end = 0.0;
+        for (at, char) in line.trim_end().char_indices() {
+            end += self.letter(char, size, weight).advance;
+            if end > width && at > 0 {
+                return Some(line.split_off(at));
+            }
+        }
+        None
+    }
+
+    fn letter(&mut self, char: char, size: u32, weight: Weight) -> &Letter {
+        if self.letters.len() > MOST_LETTERS {
+            self.letters.clear();
+        }
+        let font = match weight {
+            Weight::Regular => &self.regular,
+            Weight::Bold => &self.bold,
+        };
+        self.letters.entry((char, weight, size)).or_insert_with(|| {
+            let Some(font) = font else { return Letter::default() };
+            let (metrics, coverage) = font.rasterize(char, size as f32);
+            Letter {
+                left: metrics.xmin,
+                top: -(metrics.ymin + metrics.height as i32),
+                width: metrics.width,
+                coverage,
+                advance: metrics.advance_width,
+            }
+        })
+    }
+}
+
+impl Canvas {
+    /// Writes one line of text over everything and gives its width in pixels. `left` and `baseline` say where it
+    /// starts, in pixels; letters that are partly outside of the picture are cut at its border.
+    pub fn text(
+        &mut self,
+        typeface: &mut Typeface,
+        text: &str,
+        (left, baseline): (i32, i32),
+        size: u32,
+        weight: Weight,
+        color: Color,
+    ) -> f32 {
+        let mut along = 0.0f32;
+        for char in text.chars() {
+            // Control characters have no shape.
+            if char.is_control() {
+                continue;
+            }
+            let letter = typeface.letter(char, size, weight);
+            let x = left.saturating_add(along.round() as i32).saturating_add(letter.left);
+            let y = baseline.saturating_add(letter.top);
+            if letter.width > 0 {
+                for (row, coverage) in letter.coverage.chunks_exact(letter.width).enumerate() {
+                    self.letter_row(coverage, (x, y.saturating_add(row as i32)), color);
+                }
+            }
+            along += letter.advance;
+        }
+        along
+    }
+
+    fn letter_row(&mut self, coverage: &[u8], (left, y): (i32, i32), color: Color) {
+        let Some(y) = usize::try_from(y).ok().filter(|y| *y < self.height) else { return };
+        let row = &mut self.pixels[y * self.width..][..self.width];
+        for (x, &coverage) in (left..i32::MAX).zip(coverage) {
+            if let Some(pixel) = usize::try_from(x).ok().and_then(|x| row.get_mut(x)) {
+                *pixel = Color(*pixel).mix(color, f32::from(coverage) / 255.0).0;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_fonts_can_be_read_and_have_the_letters_of_many_languages() {
+        let typeface = Typeface::new();
+        for font in [typeface.regular.unwrap(), typeface.bold.unwrap()] {
+            for char in "Aa0°±×→·–…äßéçñøłšřőğİΑωЖяא".chars() {
+                assert!(font.has_glyph(char), "{char}");
+            }
+        }
+    }
+
+    #[test]
+    fn text_is_cut_at_every_border() {
+        let mut typeface = Typeface::new();
+        let mut canvas = Canvas::new(30, 20);
+        let far = [i32::MIN, -1000, -5, 0, 15, 25, 1000, i32::MAX];
+        for left in far {
+            for baseline in far {
+                canvas.text(&mut typeface, "Wq|\u{7}\n世", (left, baseline), 18, Weight::Bold, Color::WHITE);
+            }
+        }
+        assert!(canvas.pixels().iter().any(|pixel| *pixel != 0));
+    }
+
+    #[test]
+    fn a_letter_stands_on_its_baseline() {
+        let mut canvas = Canvas::new(30, 30);
+        canvas.text(&mut Typeface::new(), "H", (5, 20), 16, Weight::Regular, Color::WHITE);
+        let rows = (0..30).filter(|y| (0..30).any(|x| canvas.pixel(x, *y) != Some(Color::BLACK))).collect::<Vec<_>>();
+        assert_eq!(rows.last(), Some(&19));
+        assert!((11..=12).contains(&rows.len()), "{rows:?}");
+    }
+
+    #[test]
+    fn lines_break_between_words_and_long_words_break_anywhere() {
+        let mut typeface = Typeface::new();
+        let text = "one two three\nfour abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz";
+        let lines = typeface.wrap(text, 15, Weight::Regular, 100.0);
+        assert_eq!(lines[..3], ["one two ", "three", "four "]);
+        for line in &lines {
+            assert!(typeface.width(line.trim_end(), 15, Weight::Regular) <= 100.0, "{line}");
+        }
+        assert_eq!(lines.concat().replace(' ', ""), text.replace([' ', '\n'], ""));
+        assert_eq!(typeface.wrap("wide", 15, Weight::Regular, 0.0), ["w", "i", "d", "e"]);
+        assert_eq!(typeface.wrap("", 15, Weight::Regular, 0.0), Vec::<String>::new());
+    }
+}

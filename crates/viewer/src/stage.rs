@@ -1,0 +1,284 @@
+//! A motion set up for being looked at: how large its figure is, where its ground is, what to follow.
+
+use glam::Vec3;
+use skeleton::{Frame, Joint, Motion, Pose, PositionChannels, pose_frame};
+
+use crate::camera::Camera;
+use crate::canvas::Ground;
+use crate::scene::{Axes, Bone, Figure, Look, Side};
+
+/// A motion and what follows from it for the picture. Lengths are in the file's unit.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    motion: Motion,
+    positions: PositionChannels,
+    sides: Vec<Side>,
+    size: f32,
+    ground: Ground,
+    /// Corners of the box in which the figure stays, relative to its anchor.
+    surroundings: Vec<Vec3>,
+    /// The height of the anchor, where it does not go up and down with the root.
+    level: Option<f32>,
+    azimuth: f32,
+}
+
+/// The most frames that are looked at to learn how large a motion is.
+const SAMPLES: usize = 120;
+
+/// The camera's height above the horizon, in radians.
+const ELEVATION: f32 = 0.2;
+
+impl Stage {
+    /// Looks at the motion as the reference solution moves it. `positions` says what position channels do.
+    pub fn new(motion: Motion, positions: PositionChannels) -> Stage {
+        let mut stage = Stage {
+            sides: sides(motion.skeleton().joints()),
+            motion,
+            positions,
+            size: 1.0,
+            ground: Ground { height: 0.0, cell: 1.0 },
+            surroundings: Vec::new(),
+            level: None,
+            azimuth: 0.6,
+        };
+        let step = stage.frame_count().div_ceil(SAMPLES);
+        let samples: Vec<Pose> = (0..stage.frame_count()).step_by(step).map(|i| stage.reference(i)).collect();
+        stage.measure(&samples);
+        stage
+    }
+
+    fn measure(&mut self, samples: &[Pose]) {
+        let places = |pose: &Pose| pose.transforms().iter().map(|t| t.position).collect::<Vec<_>>();
+        let all: Vec<Vec3> = samples.iter().flat_map(places).filter(|place| place.is_finite()).collect();
+        let roots: Vec<Vec3> = samples.iter().map(root).filter(|root| root.is_finite()).collect();
+        let (lowest, _) = bounds(&all);
+
+        // A skeleton without length may still move; one that does not is a single point, of any size.
+        let usable = |size: &f32| size.is_finite() && *size > 0.0;
+        let sizes = [self.motion.skeleton().extent(), bounds(&all).0.distance(bounds(&all).1)];
+        self.size = sizes.into_iter().find(usable).unwrap_or(1.0);
+
+        // Most motions stand on the plane Y = 0. For one that clearly does not, the ground is below its lowest point.
+        let height = if lowest.y.abs() < 0.3 * self.size { 0.0 } else { lowest.y };
+        self.ground = Ground { height, cell: round_number(0.3 * self.size) };
+
+        let (low, high) = bounds(&roots);
+        self.level = (high.y - low.y < self.size).then_some(0.5 * (low.y + high.y));
+        let around = |pose: &Pose| {
+            let anchor = self.anchor_of(pose);
+            places(pose).into_iter().map(move |place| place - anchor).filter(|place| place.is_finite())
+        };
+        let (low, high) = bounds(&samples.iter().flat_map(around).collect::<Vec<_>>());
+        let corner = |i: usize| Vec3::from([0, 1, 2].map(|axis| [low, high][i >> axis & 1][axis]));
+        self.surroundings = (0..8).map(corner).collect();
+
+        // From ahead of a figure that goes somewhere, and to its side.
+        if let (Some(first), Some(last)) = (roots.first(), roots.last())
+            && first.distance(*last) > 0.5 * self.size
+        {
+            let way = *last - *first;
+            self.azimuth = (way.x.atan2(way.z) + 0.9).rem_euclid(std::f32::consts::TAU);
+        }
+    }
+
+    /// The motion.
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// How many frames can be shown: at least one, which is the rest pose when the motion has none.
+    pub fn frame_count(&self) -> usize {
+        self.motion.frame_count().max(1)
+    }
+
+    /// Frame `index` (from 0) as the functions get it. Behind the last frame it is the rest pose.
+    pub fn frame(&self, index: usize) -> Frame {
+        let mut frame = Frame::default();
+        self.motion.read_frame(index, self.positions, &mut frame);
+        frame
+    }
+
+    /// Where the joints are in frame `index` (from 0) if everything is right.
+    pub fn reference(&self, index: usize) -> Pose {
+        let mut pose = Pose::default();
+        pose_frame(self.motion.skeleton(), &self.frame(index), &solutions::FK, &mut pose);
+        pose
+    }
+
+    /// The plane below the figure.
+    pub fn ground(&self) -> Ground {
+        self.ground
+    }
+
+    /// The size of the skeleton: the diagonal of the box around its rest pose. Positive.
+    pub fn size(&self) -> f32 {
+        self.size
+    }
+
+    /// How long to draw a joint's axes.
+    pub fn axis_length(&self) -> f32 {
+        0.045 * self.size
+    }
+
+    /// Whether left and right can be told by the joints' names.
+    pub fn has_sides(&self) -> bool {
+        self.sides.iter().any(|side| *side != Side::Middle)
+    }
+
+    /// What the camera follows in frame `index` (from 0): the root, which the reference and even unfinished functions
+    /// put in the same place. Its ups and downs are left out unless they are large.
+    pub fn anchor(&self, index: usize) -> Vec3 {
+        self.anchor_of(&self.reference(index))
+    }
+
+    fn anchor_of(&self, pose: &Pose) -> Vec3 {
+        let root = root(pose);
+        let anchor = Vec3::new(root.x, self.level.unwrap_or(root.y), root.z);
+        if anchor.is_finite() { anchor } else { Vec3::ZERO }
+    }
+
+    /// A camera that shows all that the figure does around `anchor`, and also `others`, as far as they are not much
+    /// farther away than the figure is large.
+    pub fn camera(&self, anchor: Vec3, others: &[Vec3], size: (usize, usize)) -> Camera {
+        let mut camera = Camera { target: anchor, azimuth: self.azimuth, elevation: ELEVATION, distance: self.size };
+        let mut points: Vec<Vec3> = self.surroundings.iter().map(|place| anchor + *place).collect();
+        points.extend(others.iter().filter(|place| place.distance(anchor) < 2.5 * self.size));
+        camera.frame(&points, size, MARGIN, self.size);
+        camera
+    }
+
+    /// The skeleton in `pose`. `axes` says whether its joints get axes.
+    pub fn figure(&self, pose: &Pose, look: Look, axes: bool) -> Figure {
+        let mut figure = Figure { look, bones: Vec::new(), joints: Vec::new(), axes: Vec::new() };
+        for (joint, transform) in self.motion.skeleton().joints().iter().zip(pose.transforms()) {
+            figure.joints.push(transform.position);
+            if let Some(parent) = joint.parent {
+                let side = self.sides[joint.id.0];
+                figure.bones.push(Bone { from: pose[parent].position, to: transform.position, side });
+            }
+            if axes && !joint.is_end_site {
+                let (origin, rotation) = (transform.position, transform.rotation);
+                figure.axes.push(Axes { origin, rotation, lettered: joint.is_root() });
+            }
+        }
+        figure
+    }
+}
+
+/// The share of the picture that stays free on each side.
+pub const MARGIN: f32 = 0.12;
+
+/// The first joint's place, or the origin.
+fn root(pose: &Pose) -> Vec3 {
+    pose.transforms().first().map_or(Vec3::ZERO, |root| root.position)
+}
+
+/// The lowest and the highest corner of the box around `points`; twice the origin when there are none.
+fn bounds(points: &[Vec3]) -> (Vec3, Vec3) {
+    let Some(&first) = points.first() else { return (Vec3::ZERO, Vec3::ZERO) };
+    points.iter().fold((first, first), |(low, high), point| (low.min(*point), high.max(*point)))
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above `number`.
+fn round_number(number: f32) -> f32 {
+    let power = 10f32.powf(number.log10().floor());
+    let rounded = [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|round| *round <= number * 1.0001);
+    rounded.filter(|round| round.is_normal()).unwrap_or(number)
+}
+
+/// The side of the body for every joint: by its own name, or else its parent's.
+fn sides(joints: &[Joint]) -> Vec<Side> {
+    let mut sides: Vec<Side> = Vec::with_capacity(joints.len());
+    for joint in joints {
+        let parents = joint.parent.map_or(Side::Middle, |parent| sides[parent.0]);
+        sides.push(if joint.is_end_site { parents } else { side_of(&joint.name).unwrap_or(parents) });
+    }
+    sides
+}
+
+/// The side that a name tells, in any of the usual spellings: `LeftArm`, `left_arm`, `LArm`, `arm.L`, `Bip01 L Arm`.
+fn side_of(name: &str) -> Option<Side> {
+    let lower = name.to_lowercase();
+    let letters: Vec<char> = name.chars().collect();
+    let alone = |letter: char| {
+        letters.iter().enumerate().any(|(i, char)| {
+            let before = i.checked_sub(1).map(|i| letters[i]);
+            let after = letters.get(i + 1);
+            char.eq_ignore_ascii_case(&letter)
+                && before.is_none_or(|before| !before.is_alphanumeric())
+                && after.is_none_or(|after| !after.is_alphanumeric() || after.is_uppercase())
+        })
+    };
+    match () {
+        () if lower.contains("left") || alone('l') => Some(Side::Left),
+        () if lower.contains("right") || alone('r') => Some(Side::Right),
+        () => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::samples;
+
+    #[test]
+    fn names_tell_sides() {
+        for name in ["LeftArm", "left_arm", "LArm", "lArm", "arm.L", "Bip01 L Arm", "mixamorig:LeftArm", "hand-l"] {
+            assert_eq!(side_of(name), Some(Side::Left), "{name}");
+        }
+        for name in ["RightArm", "rArm", "R", "leg_R"] {
+            assert_eq!(side_of(name), Some(Side::Right), "{name}");
+        }
+        for name in ["Hips", "Larynx", "LowerBack", "Neck1", "Rib", "Head", "", "Pelvis.001"] {
+            assert_eq!(side_of(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_round_number_is_one_two_or_five() {
+        for (number, round) in [(0.59, 0.5), (19.9, 10.0), (20.0, 20.0), (999.0, 500.0), (1.0, 1.0), (0.0021, 0.002)] {
+            assert!((round_number(number) / round - 1.0).abs() < 1e-5, "{number}: {}", round_number(number));
+        }
+        assert!(round_number(0.0) == 0.0 && round_number(1e-42) > 0.0);
+    }
+
+    #[test]
+    fn a_motion_without_frames_shows_its_rest_pose_above_the_ground() {
+        let stage = Stage::new(samples::chain(0, 1.0), PositionChannels::Replace);
+        assert_eq!(stage.frame_count(), 1);
+        let pose = stage.reference(0);
+        let rest = stage.motion().skeleton().rest_positions();
+        let places: Vec<Vec3> = pose.transforms().iter().map(|t| t.position).collect();
+        assert_eq!(places, rest);
+        assert!(places.iter().all(|place| place.y >= stage.ground().height - 0.3 * stage.size()));
+    }
+
+    proptest! {
+        #[test]
+        fn the_first_camera_shows_every_joint_in_any_unit(
+            scale in prop_oneof![Just(0.01f32), Just(1.0), Just(39.37), Just(1000.0)],
+            frames in 0usize..40,
+            width in 200usize..1500,
+            height in 200usize..1500,
+        ) {
+            let stage = Stage::new(samples::chain(frames, scale), PositionChannels::Replace);
+            for frame in 0..stage.frame_count() {
+                let view = stage.camera(stage.anchor(frame), &[], (width, height)).view((width, height));
+                for transform in stage.reference(frame).transforms() {
+                    let spot = view.project(transform.position).expect("in front of the camera");
+                    prop_assert!(spot.x > 0.0 && spot.x < width as f32 && spot.y > 0.0 && spot.y < height as f32);
+                }
+            }
+        }
+
+        #[test]
+        fn no_numbers_make_it_panic(values in prop::collection::vec(any::<f32>(), 9 * 3)) {
+            let skeleton = samples::chain(0, 1.0).skeleton().clone();
+            let motion = Motion::new(skeleton, 3, 0.1, values).unwrap();
+            let stage = Stage::new(motion, PositionChannels::Add);
+            stage.camera(stage.anchor(1), &[Vec3::NAN, Vec3::INFINITY], (100, 100));
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! The words in the window: what is shown, what is wrong, what the colours mean, what the keys do.
+
+use glam::Vec3;
+use skeleton::Pose;
+
+use crate::app::Shown;
+use crate::keys::{BINDINGS, MOUSE};
+use crate::scene::{Corner, Line, Panel, Side, Tint};
+use crate::stage::Stage;
+use crate::student::Status;
+
+/// What the words are about.
+pub struct Facts<'a> {
+    pub stage: &'a Stage,
+    pub title: &'a str,
+    pub warnings: &'a [String],
+    pub frame: usize,
+    pub playing: bool,
+    pub shown: Shown<'a>,
+    /// How many joints of the solid figure the picture does not show.
+    pub outside: usize,
+    pub ghost: bool,
+    pub axes: bool,
+    pub help: bool,
+}
+
+/// All texts, each in its corner.
+pub fn panels(facts: &Facts) -> Vec<Panel> {
+    let mut panels = vec![Panel { corner: Corner::TopLeft, lines: state(facts) }];
+    if facts.help {
+        panels.push(Panel { corner: Corner::TopLeft, lines: help() });
+    } else {
+        panels.push(Panel { corner: Corner::BottomRight, lines: vec![Line::Key("h", "help".into())] });
+        panels.push(Panel { corner: Corner::BottomLeft, lines: legend(facts) });
+    }
+    panels
+}
+
+fn state(facts: &Facts) -> Vec<Line> {
+    let motion = facts.stage.motion();
+    let mut lines = vec![Line::Heading(facts.title.to_owned())];
+    let seconds = motion.playable_frame_time();
+    match motion.frame_count() {
+        0 => lines.push(Line::Trouble("this file has no frames: its rest pose is shown".into())),
+        1 => lines.push(Line::Text("frame 0 / 1: only one frame, nothing to play".into())),
+        count => {
+            let playing = match facts.playing {
+                true => format!("playing, {} frames per second", rounded(1.0 / seconds)),
+                false => "paused".into(),
+            };
+            let time = facts.frame as f64 * seconds;
+            lines.push(Line::Text(format!("frame {} / {count}    {time:.2} s    {playing}", facts.frame)));
+        }
+    }
+    lines.extend(facts.warnings.iter().map(|warning| Line::Trouble(warning.clone())));
+    lines.extend(functions(facts));
+    lines
+}
+
+fn functions(facts: &Facts) -> Vec<Line> {
+    let (posed, status) = match facts.shown {
+        Shown::Reference => return vec![Line::Text("the reference solution's figure".into())],
+        Shown::Student { posed, status } => (posed, status),
+    };
+    let mut lines = Vec::new();
+    match status {
+        Status::Compiling => lines.push(Line::Text("compiling your functions…".into())),
+        Status::Asking => lines.push(Line::Text("asking your functions…".into())),
+        Status::Answered => lines.push(Line::Text("your functions' figure".into())),
+        Status::Failed(trouble) => {
+            lines.push(Line::Trouble(trouble.headline.clone()));
+            lines.extend(trouble.details.iter().map(|line| Line::Trouble(line.clone())));
+            lines.push(Line::Text("The terminal says more. Until it works, only the goal is shown.".into()));
+        }
+    }
+    let Some(posed) = posed else { return lines };
+    let joints = posed.pose.len();
+    if facts.outside > 0 {
+        let text = format!("{} of your {joints} joints are outside of the picture: press f to see all", facts.outside);
+        lines.push(Line::Trouble(text));
+    }
+    let lost = nowhere(&posed.pose);
+    if lost > 0 {
+        lines.push(Line::Trouble(format!("{lost} of your {joints} joints are nowhere: their numbers are NaN or infinite")));
+    }
+    // Stubs take nothing; that needs no remark.
+    if posed.taken != posed.available && posed.taken != 0 {
+        lines.push(Line::Trouble(format!(
+            "part 1 took {} angles of this frame, which holds {}: each joint takes its own three, or none",
+            posed.taken, posed.available
+        )));
+    }
+    lines
+}
+
+fn legend(facts: &Facts) -> Vec<Line> {
+    let mut lines = Vec::new();
+    let mut add = |tint, text: &str| lines.push(Line::Legend(tint, text.to_owned()));
+    add(Tint::Joint, "joint");
+    if facts.stage.has_sides() {
+        add(Tint::Bone(Side::Left), "left");
+        add(Tint::Bone(Side::Right), "right");
+    } else {
+        add(Tint::Bone(Side::Middle), "bone");
+    }
+    if facts.axes {
+        add(Tint::X, "local X axis");
+        add(Tint::Y, "local Y axis");
+        add(Tint::Z, "local Z axis");
+    }
+    if facts.ghost && matches!(facts.shown, Shown::Student { .. }) {
+        add(Tint::Ghost, "the goal");
+    }
+    let cell = f64::from(facts.stage.ground().cell);
+    lines.push(Line::Text(format!("grid: {} units of the file", rounded(cell))));
+    lines
+}
+
+fn help() -> Vec<Line> {
+    let keys = BINDINGS.iter().map(|binding| (binding.name, binding.help));
+    keys.chain(MOUSE).map(|(name, help)| Line::Key(name, help.to_owned())).collect()
+}
+
+/// How many joints have no place.
+fn nowhere(pose: &Pose) -> usize {
+    let places = pose.transforms().iter().map(|transform| transform.position);
+    places.filter(|place: &Vec3| !place.is_finite()).count()
+}
+
+/// A number with at most three digits that matter behind the point.
+fn rounded(number: f64) -> String {
+    let digits = (2 - number.abs().max(1e-9).log10().floor() as i32).clamp(0, 9) as usize;
+    let text = format!("{number:.digits$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        for (number, text) in [(0.5, "0.5"), (20.0, "20"), (119.97, "120"), (29.97, "30"), (0.002, "0.002")] {
+            assert_eq!(rounded(number), text);
+        }
+        assert_eq!(rounded(59.94), "59.9");
+        assert_eq!(rounded(1.0 / 0.0083333), "120");
+    }
+}
