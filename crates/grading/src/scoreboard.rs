@@ -90,8 +90,15 @@ fn write_part(f: &mut fmt::Formatter<'_>, part: &PartReport) -> fmt::Result {
             "Your function still does what the template does. Its comment says what it should do.",
         );
     }
+    let mut said = None;
     for check in &part.checks {
         write_check(f, check)?;
+        if let CheckState::Failed(failure) = &check.state {
+            // One function often fails in the same way everywhere.
+            let text = if said == Some(failure) { "as above".to_owned() } else { failure.to_string() };
+            wrapped(f, 17, &text)?;
+            said = Some(failure);
+        }
     }
     for named in &part.named {
         write_named(f, named)?;
@@ -123,10 +130,7 @@ fn write_check(f: &mut fmt::Formatter<'_>, check: &CheckReport) -> fmt::Result {
     match &check.state {
         CheckState::Right => writeln!(f, "  {}  {of} of {of}  {title}", Styled(RIGHT, "right")),
         CheckState::Wrong(_) => writeln!(f, "  {}  0 of {of}  {title}", Styled(WRONG, "wrong")),
-        CheckState::Failed(failure) => {
-            writeln!(f, "  {}  0 of {of}  {title}", Styled(WRONG, "lost "))?;
-            wrapped(f, 17, &failure.to_string())
-        }
+        CheckState::Failed(_) => writeln!(f, "  {}  0 of {of}  {title}", Styled(WRONG, "lost ")),
     }
 }
 

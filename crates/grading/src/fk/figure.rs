@@ -5,7 +5,7 @@ use skeleton::{Axis, Channel, Frame, JointId, Motion, PositionChannels, Rotation
 
 use crate::dice::Dice;
 
-/// The names and parents of the figure's joints. Below `Chain1` hangs a chain of eleven more, and `Prop` is a root of
+/// The names and parents of the figure's joints. Below `Chain1` hangs a chain of seven more, and `Prop` is a root of
 /// its own: what a figure holds in its hand is recorded like that.
 const JOINTS: [(&str, Option<usize>); 21] = [
     ("Hips", None),
@@ -32,7 +32,7 @@ const JOINTS: [(&str, Option<usize>); 21] = [
 ];
 
 /// How many joints hang below the tail.
-const CHAIN: usize = 12;
+const CHAIN: usize = 8;
 
 /// A figure with all six rotation orders and joints without rotation, mixed; joints with six channels; several children
 /// on one joint; a deep chain; and two roots that are not at the origin.
