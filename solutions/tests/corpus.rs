@@ -154,7 +154,9 @@ fn check(file: &Path) -> Verdict {
             Err(why) => Verdict::Wrong(why),
         },
         Ok(_) => Verdict::Right(None),
-        Err(error) if !names_its_place(&error, file) => Verdict::Wrong(format!("no line and column: {error}")),
+        Err(error) if !names_its_place(&error, file) => {
+            Verdict::Wrong(format!("no line and column: {error}"))
+        }
         Err(error) if json.exists() => Verdict::Wrong(format!("was refused: {error}")),
         Err(_) => Verdict::Right(None),
     }
