@@ -116,7 +116,7 @@ impl App {
         self.untouched = false;
         let mut points = places(&self.stage.reference(self.frame()));
         points.extend(student_pose(shown).map(places).unwrap_or_default());
-        self.camera.frame(&points, size, MARGIN, self.stage.size());
+        self.camera.frame(&points, size, MARGIN, 0.5 * self.stage.size());
         self.offset = self.camera.target - self.stage.anchor(self.frame());
     }
 

@@ -50,7 +50,7 @@ impl Painter {
     fn letters(&mut self, figure: &Figure, axis_length: f32, view: &View, canvas: &mut Canvas) {
         for axes in figure.axes.iter().filter(|axes| axes.lettered) {
             for (unit, tint) in AXES {
-                let tip = axes.origin + axes.rotation * unit * axis_length * 1.25;
+                let tip = axes.origin + axes.rotation * unit * axis_length * (LETTERED + 0.35);
                 let letter = match tint {
                     Tint::X => "X",
                     Tint::Y => "Y",
@@ -66,9 +66,17 @@ impl Painter {
     fn mark_text(&mut self, mark: &Mark, view: &View, canvas: &mut Canvas) {
         let Some(spot) = view.project(mark.to) else { return };
         let (right, down) = mark.text_offset;
-        // Text that belongs to the left of its mark ends there.
-        let width = if right < 0 { self.typeface.width(&mark.text, TEXT_SIZE, Weight::Bold) as i32 } else { 0 };
-        let left = (spot.x as i32).saturating_add(right - width);
+        let width = self.typeface.width(&mark.text, TEXT_SIZE, Weight::Bold) as i32;
+        let start = match right.signum() {
+            -1 => right - width,
+            0 => -width / 2,
+            _ => right,
+        };
+        if down.abs() > 20 && !mark.text.is_empty() {
+            let toward = Spot { x: spot.x + 0.9 * right as f32, y: spot.y + 0.65 * down as f32, nearness: spot.nearness };
+            canvas.line(spot, toward, Pen { width: 1.0, color: color_of(mark.tint), opacity: 0.6 });
+        }
+        let left = (spot.x as i32).saturating_add(start);
         let baseline = (spot.y as i32).saturating_add(down + 5);
         self.haloed(&mark.text, (left, baseline), Weight::Bold, color_of(mark.tint), canvas);
     }
@@ -103,6 +111,9 @@ pub fn color_of(tint: Tint) -> Color {
         Tint::Ink => Color(0x22_2A_35),
     }
 }
+
+/// How much longer axes with letters are than others.
+const LETTERED: f32 = 1.6;
 
 const AXES: [(Vec3, Tint); 3] = [(Vec3::X, Tint::X), (Vec3::Y, Tint::Y), (Vec3::Z, Tint::Z)];
 
@@ -148,9 +159,10 @@ impl Strokes {
             self.line(bone.from, bone.to, Pen { width, color: color_of(tint), opacity }, forward);
         }
         for axes in &figure.axes {
+            let length = if axes.lettered { LETTERED * axis_length } else { axis_length };
             for (unit, tint) in AXES {
                 let pen = Pen { width: 2.0, color: color_of(tint), opacity: 1.0 };
-                self.line(axes.origin, axes.origin + axes.rotation * unit * axis_length, pen, AXES_FORWARD);
+                self.line(axes.origin, axes.origin + axes.rotation * unit * length, pen, AXES_FORWARD);
             }
         }
         if figure.look == Look::Solid {

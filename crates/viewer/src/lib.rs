@@ -13,6 +13,7 @@ pub mod draw;
 pub mod keys;
 mod panel;
 pub mod picture;
+pub mod pictures;
 pub mod player;
 pub mod print;
 #[cfg(test)]

@@ -16,7 +16,8 @@ pub fn tree(skeleton: &Skeleton) -> String {
     let width = branches.iter().map(|branch| branch.chars().count()).max().unwrap_or(0).min(WIDEST);
     let mut text = String::new();
     for (joint, branch) in skeleton.joints().iter().zip(&branches) {
-        let [x, y, z] = joint.offset.to_array().map(|number| format!("{number:.3}"));
+        // Adding zero makes a plain zero of a negative one.
+        let [x, y, z] = joint.offset.to_array().map(|number| format!("{:.3}", (number * 1e3).round() / 1e3 + 0.0));
         let order = joint.rotation_order.to_string();
         let channels = channels(joint);
         let line = format!("{branch:width$}  {x:>9} {y:>9} {z:>9}  {order:<5}  {channels}");
@@ -134,7 +135,7 @@ fn orders(joints: &[Joint]) -> String {
         .filter(|(count, _)| *count > 0)
         .collect();
     counts.sort_by_key(|(count, order)| (*order == RotationOrder::None, std::cmp::Reverse(*count)));
-    let words: Vec<String> = counts.iter().map(|(count, order)| format!("{order} of {count}")).collect();
+    let words: Vec<String> = counts.iter().map(|(count, order)| format!("{count} {order}")).collect();
     words.join(", ")
 }
 

@@ -91,7 +91,8 @@ pub struct Mark {
     pub to: Vec3,
     /// What is written beside the tip.
     pub text: String,
-    /// Where the text stands, in pixels to the right of and below the tip.
+    /// Where the text stands, in pixels to the right of and below the tip. To the left it ends there, to the right it
+    /// begins there, and straight above or below it is centred. From farther away a thin line leads to the tip.
     pub text_offset: (i32, i32),
     /// What it is about.
     pub tint: Tint,

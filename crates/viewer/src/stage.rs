@@ -72,11 +72,9 @@ impl Stage {
         let corner = |i: usize| Vec3::from([0, 1, 2].map(|axis| [low, high][i >> axis & 1][axis]));
         self.surroundings = (0..8).map(corner).collect();
 
-        // From ahead of a figure that goes somewhere, and to its side.
-        if let (Some(first), Some(last)) = (roots.first(), roots.last())
-            && first.distance(*last) > 0.5 * self.size
-        {
-            let way = *last - *first;
+        // From ahead of a figure that sets out for somewhere, and to its side.
+        let way = roots.iter().map(|root| *root - roots[0]).find(|way| way.length() > 0.5 * self.size);
+        if let Some(way) = way {
             self.azimuth = (way.x.atan2(way.z) + 0.9).rem_euclid(std::f32::consts::TAU);
         }
     }
@@ -143,7 +141,7 @@ impl Stage {
         let mut camera = Camera { target: anchor, azimuth: self.azimuth, elevation: ELEVATION, distance: self.size };
         let mut points: Vec<Vec3> = self.surroundings.iter().map(|place| anchor + *place).collect();
         points.extend(others.iter().filter(|place| place.distance(anchor) < 2.5 * self.size));
-        camera.frame(&points, size, MARGIN, self.size);
+        camera.frame(&points, size, MARGIN, 0.5 * self.size);
         camera
     }
 
@@ -166,7 +164,7 @@ impl Stage {
 }
 
 /// The share of the picture that stays free on each side.
-pub const MARGIN: f32 = 0.12;
+pub const MARGIN: f32 = 0.08;
 
 /// The first joint's place, or the origin.
 fn root(pose: &Pose) -> Vec3 {
@@ -242,6 +240,14 @@ mod tests {
             assert!((round_number(number) / round - 1.0).abs() < 1e-5, "{number}: {}", round_number(number));
         }
         assert!(round_number(0.0) == 0.0 && round_number(1e-42) > 0.0);
+    }
+
+    #[test]
+    fn a_skeleton_without_joints_is_an_empty_stage() {
+        let nothing = Motion::new(skeleton::Skeleton::new(), 0, 0.1, Vec::new()).unwrap();
+        let stage = Stage::new(nothing, PositionChannels::Replace);
+        assert_eq!((stage.size(), stage.anchor(0)), (1.0, Vec3::ZERO));
+        assert!(stage.camera(Vec3::ZERO, &[], (100, 100)).distance > 0.0);
     }
 
     #[test]

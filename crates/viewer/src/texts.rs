@@ -83,12 +83,12 @@ fn functions(facts: &Facts) -> Vec<Line> {
     if lost > 0 {
         lines.push(Line::Trouble(format!("{lost} of your {joints} joints are nowhere: their numbers are NaN or infinite")));
     }
-    // Stubs take nothing; that needs no remark.
-    if posed.taken != posed.available && posed.taken != 0 {
-        lines.push(Line::Trouble(format!(
-            "part 1 took {} angles of this frame, which holds {}: each joint takes its own three, or none",
-            posed.taken, posed.available
-        )));
+    match (posed.taken, posed.available) {
+        (0, 1..) => lines.push(Line::Text("part 1 takes no angles of the frame yet".into())),
+        (taken, available) if taken != available => lines.push(Line::Trouble(format!(
+            "part 1 takes {taken} angles of this frame, which holds {available}: each joint takes its own three, or none"
+        ))),
+        _ => {}
     }
     lines
 }

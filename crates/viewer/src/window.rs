@@ -34,12 +34,14 @@ pub fn open(mut app: App, size: (usize, usize), student: Option<impl FnOnce() ->
     let mut input = Input { keys, keyboard: Keyboard::default(), grabbed: None };
     let mut painter = Painter::new();
     let mut canvas = Canvas::new(size.0, size.1);
+    let mut drawn = None;
     let mut title = String::new();
     let mut last = Instant::now();
     while window.is_open() {
         let size = window.get_size();
         if canvas.size() != Canvas::clamped(size) {
             canvas = Canvas::new(size.0, size.1);
+            drawn = None;
         }
         if let Some(student) = &mut student {
             student.update(app.frame());
@@ -55,7 +57,11 @@ pub fn open(mut app: App, size: (usize, usize), student: Option<impl FnOnce() ->
         last = Instant::now();
 
         let status = student.as_ref().map(|student| student.status(app.frame()));
-        painter.draw(&app.scene(self::shown(&student, &status, app.frame()), canvas.size()), &mut canvas);
+        let scene = app.scene(self::shown(&student, &status, app.frame()), canvas.size());
+        if drawn.as_ref() != Some(&scene) {
+            painter.draw(&scene, &mut canvas);
+            drawn = Some(scene);
+        }
         if title != app.window_title() {
             title = app.window_title();
             window.set_title(&title);

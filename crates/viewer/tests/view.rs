@@ -1,0 +1,227 @@
+//! The command `cargo view`, from outside.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use skeleton::PositionChannels;
+use viewer::app::{App, Shown};
+use viewer::draw::color_of;
+use viewer::scene::Tint;
+use viewer::stage::Stage;
+
+fn view(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_view"));
+    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env("CARGO_MANIFEST_DIR", env!("CARGO_MANIFEST_DIR"));
+    command.args(arguments).output().unwrap()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn golden(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join("golden").join(name)
+}
+
+/// Compares with the golden file, or writes it when UPDATE_GOLDEN is set.
+fn assert_golden(name: &str, text: &str) {
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(golden(name), text).unwrap();
+    }
+    let expected = fs::read_to_string(golden(name)).unwrap().replace("\r\n", "\n");
+    assert!(text == expected, "{name} differs; if that is right, set UPDATE_GOLDEN=1. Now it is:\n{text}");
+}
+
+fn read_png(path: &Path) -> (u32, u32, Vec<[u8; 3]>) {
+    let file = std::io::BufReader::new(fs::File::open(path).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    (info.width, info.height, bytes.chunks_exact(3).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect())
+}
+
+mod print {
+    use super::*;
+
+    #[test]
+    fn the_default_file_is_printed_as_a_tree_with_a_summary() {
+        let output = view(&["--print"]);
+        assert!(output.status.success());
+        assert_eq!(stderr(&output), "");
+        assert_golden("running.txt", &stdout(&output));
+    }
+
+    #[test]
+    fn odd_files_are_printed_with_their_oddities() {
+        let output = view(&[golden("odd.bvh").to_str().unwrap(), "--print"]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        assert_golden("odd.txt", &stdout(&output));
+    }
+}
+
+mod png_file {
+    use super::*;
+
+    #[test]
+    fn a_picture_has_its_size_and_purple_squares_where_the_joints_are() {
+        let folder = tempfile::Builder::new().prefix("with blank ").tempdir().unwrap();
+        let path = folder.path().join("picture.png");
+        let arguments = ["--solution", "--png", path.to_str().unwrap(), "--frame", "300", "--size", "800x600"];
+        let output = view(&arguments);
+        assert!(output.status.success(), "{}", stderr(&output));
+        let (width, height, pixels) = read_png(&path);
+        assert_eq!((width, height), (800, 600));
+
+        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/running.bvh");
+        let motion = parser::bvh::read_file(data).unwrap().motion;
+        let stage = std::sync::Arc::new(Stage::new(motion, PositionChannels::Replace));
+        let mut app = App::new(stage.clone(), "running.bvh".into(), Vec::new(), (800, 600));
+        app.go_to(300);
+        let view = app.scene(Shown::Reference, (800, 600)).camera.view((800, 600));
+        let purple = color_of(Tint::Joint).channels();
+        let mut hidden = 0;
+        for transform in stage.reference(300).transforms() {
+            let spot = view.project(transform.position).unwrap();
+            let center = pixels[spot.y as usize * 800 + spot.x as usize];
+            hidden += usize::from(center != purple);
+        }
+        assert!(hidden <= 6, "{hidden} joints are hidden or not where they should be");
+    }
+
+    #[test]
+    fn the_students_functions_make_a_picture_too_whatever_their_state() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("picture.png");
+        let output = view(&["--png", path.to_str().unwrap(), "--size", "320x200"]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        assert_eq!(read_png(&path).0, 320);
+    }
+
+    #[test]
+    fn position_channels_can_be_added_to_the_offsets() {
+        let folder = tempfile::tempdir().unwrap();
+        let draw = |name: &str, positions: &str| {
+            let path = folder.path().join(name);
+            let file = golden("odd.bvh");
+            let arguments = [file.to_str().unwrap(), "--solution", "--png", path.to_str().unwrap()];
+            let output = view(&[&arguments[..], &["--positions", positions]].concat());
+            assert!(output.status.success(), "{}", stderr(&output));
+            read_png(&path).2
+        };
+        assert_ne!(draw("a.png", "replace"), draw("b.png", "add"));
+    }
+
+    #[test]
+    fn a_frame_that_does_not_exist_is_an_error_and_no_file_is_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("picture.png");
+        let output = view(&["--solution", "--png", path.to_str().unwrap(), "--frame", "1377"]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(stderr(&output).contains("counted from 0 to 1376"), "{}", stderr(&output));
+        assert!(!path.exists());
+    }
+
+    #[test]
+    fn a_picture_that_cannot_be_written_is_an_error_that_names_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("none").join("picture.png");
+        let output = view(&["--solution", "--png", path.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(stderr(&output).contains("picture.png"), "{}", stderr(&output));
+    }
+}
+
+mod errors {
+    use super::*;
+
+    #[test]
+    fn a_missing_file_is_named() {
+        let output = view(&["no such file.bvh", "--print"]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(stderr(&output).contains("no such file.bvh"), "{}", stderr(&output));
+        assert_eq!(stdout(&output), "");
+    }
+
+    #[test]
+    fn a_bad_file_is_told_with_path_line_and_column() {
+        let folder = tempfile::Builder::new().prefix("with blank ").tempdir().unwrap();
+        let path = folder.path().join("bad file.bvh");
+        fs::write(&path, "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 zero 0\n}\n").unwrap();
+        for mode in [&["--print"][..], &["--solution", "--png", "never.png"], &[]] {
+            let output = view(&[&[path.to_str().unwrap()], mode].concat());
+            assert_eq!(output.status.code(), Some(1));
+            assert!(stderr(&output).contains("bad file.bvh:4:12"), "{}", stderr(&output));
+        }
+    }
+
+    #[test]
+    #[cfg(all(unix, not(target_os = "macos")))]
+    fn without_a_display_the_message_says_why_and_names_the_picture() {
+        let output = view(&["--solution"]);
+        assert_eq!(output.status.code(), Some(1));
+        let text = stderr(&output);
+        for part in ["No window", "--png", "--frame", "DISPLAY is not set", "libX11"] {
+            assert!(text.contains(part), "{part} is missing in: {text}");
+        }
+        assert!(stdout(&output).contains("Hips"), "the skeleton is printed all the same");
+    }
+
+    #[test]
+    fn an_unknown_option_is_a_usage_error() {
+        for wrong in [&["--sizes"][..], &["--size", "12"], &["--frame", "-1"], &["--positions", "no"]] {
+            assert_eq!(view(wrong).status.code(), Some(2));
+        }
+    }
+
+    #[test]
+    fn help_names_every_key() {
+        let output = view(&["--help"]);
+        assert!(output.status.success());
+        for binding in viewer::keys::BINDINGS {
+            assert!(stdout(&output).contains(binding.help));
+        }
+    }
+}
+
+mod odd_files {
+    use super::*;
+
+    /// Each is drawn, and the picture shows a figure.
+    #[test]
+    fn odd_skeletons_make_pictures() {
+        let folder = tempfile::tempdir().unwrap();
+        let joint = |indent: usize, name: &str, inner: &str| {
+            format!("{:indent$}JOINT {name}\n{{\nOFFSET 0 1 0.1\nCHANNELS 3 Zrotation Xrotation Yrotation\n{inner}}}\n", "")
+        };
+        let many = (0..172).fold("End Site\n{\nOFFSET 0 1 0\n}\n".to_owned(), |inner, i| joint(1, &format!("j{i}"), &inner));
+        let tip = "End Site\n{\nOFFSET 0 1 0\n}\n".to_owned();
+        let files = [
+            ("two joints", joint(1, "tip", ""), 1),
+            ("173 joints", many, 2),
+            ("no frames", tip.clone(), 0),
+            ("one point", String::new(), 1),
+            ("one frame", tip, 1),
+        ];
+        for (name, inner, frames) in files {
+            let head = "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
+            let channels = 3 + 3 * (1 + inner.matches("JOINT").count());
+            let row = vec!["1"; channels].join(" ") + "\n";
+            let text = format!("{head}{inner}}}\nMOTION\nFrames: {frames}\nFrame Time: 0.1\n{}", row.repeat(frames));
+            let path = folder.path().join(format!("{name}.bvh"));
+            fs::write(&path, text).unwrap();
+            let picture = folder.path().join(format!("{name}.png"));
+            let arguments = [path.to_str().unwrap(), "--solution", "--png", picture.to_str().unwrap()];
+            let output = view(&arguments);
+            assert!(output.status.success(), "{name}: {}", stderr(&output));
+            let purple = color_of(Tint::Joint).channels();
+            // The legend's swatch alone has about a hundred.
+            let count = read_png(&picture).2.iter().filter(|pixel| **pixel == purple).count();
+            assert!(count > 110, "{name}: {count} purple pixels");
+        }
+    }
+}
