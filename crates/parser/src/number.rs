@@ -2,9 +2,6 @@
 
 use crate::source::{LONGEST_WORD, is_blank};
 
-/// Powers of ten that an `f64` holds exactly, up to the most decimals that [`plain_decimal`] divides by.
-const POWERS_OF_TEN: [f64; 13] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];
-
 /// Why a word is not a number that can be used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BadNumber {
@@ -16,16 +13,24 @@ pub(crate) enum BadNumber {
     TooLong,
 }
 
-/// Reads the number at the front of `text`, up to the next blank or the end of the text. Gives the number and the
-/// length of its word.
-pub(crate) fn leading(text: &[u8]) -> Result<(f32, usize), BadNumber> {
-    match plain_decimal(text) {
+/// Reads the number at the front of `text`, up to the next blank or the end of the text. Gives it, and the text behind it.
+#[inline(always)]
+pub(crate) fn leading(text: &[u8]) -> Result<(f32, &[u8]), BadNumber> {
+    match short_decimal(text) {
         Some(number) => Ok(number),
-        None => {
-            let length = text.iter().position(|&byte| is_blank(byte)).unwrap_or(text.len());
-            Ok((parse(&text[..length])?, length))
-        }
+        None => any_number(text),
     }
+}
+
+#[cold]
+fn any_number(text: &[u8]) -> Result<(f32, &[u8]), BadNumber> {
+    let (word, behind) = text.split_at(word_length(text));
+    Ok((parse(word)?, behind))
+}
+
+/// How long the word at the front of `text` is.
+pub(crate) fn word_length(text: &[u8]) -> usize {
+    text.iter().position(|&byte| is_blank(byte)).unwrap_or(text.len())
 }
 
 /// Reads a whole word, as an `f32` or as an `f64`.
@@ -41,39 +46,181 @@ pub(crate) fn parse<F: fast_float2::FastFloat + Into<f64>>(word: &[u8]) -> Resul
     }
 }
 
-/// Reads a number such as `-12.345` at the front of `text`: a sign or none, up to 15 digits, a point among them or
-/// none. `None` for anything else: there are other ways to read it.
+/// Reads a number such as `-12.345`, `7` or `1.2e-006`, with at most 15 digits. `None` for anything else: there are other
+/// ways to read it.
 ///
-/// The digits without the point are an integer D below 2^53, and an `f64` holds both it and 10^k, where k is the
-/// number of decimals. So the division D / 10^k rounds once, and making an `f32` of it rounds a second time. Rounding
-/// twice goes wrong only if the first rounding lands on the middle between two neighbouring `f32`s, M 2^e with M below 2^25,
-/// though D / 10^k is not that middle. It cannot come that close: with k up to 12 the two differ by more than 2^(e-29), the
-/// half of an `f64`'s last place there. (Their difference is a multiple of 2^e / 5^k, and 5^12 < 2^29; or, if
-/// 2^e is coarser than 2^-k, of 1 / 10^k, and then D < 2^53 says that 2^e 10^k < 2^29.)
-fn plain_decimal(text: &[u8]) -> Option<(f32, usize)> {
-    let negative = *text.first()? == b'-';
-    let mut at = usize::from(negative);
-    let mut digits = 0u64;
-    let (whole, behind) = take_digits(text, at, &mut digits);
-    at = behind;
+/// The value of a decimal is its digits, read as one integer, divided by a power of ten. An exponent makes it another power.
+#[inline(always)]
+fn short_decimal(text: &[u8]) -> Option<(f32, &[u8])> {
+    let (negative, text) = match text {
+        [b'-', behind @ ..] => (true, behind),
+        _ => (false, text),
+    };
+    let mut number = 0;
+    let mut rest = take_digits(text, &mut number);
+    let mut digits = text.len() - rest.len();
     let mut decimals = 0;
-    if text.get(at) == Some(&b'.') {
-        (decimals, at) = take_digits(text, at + 1, &mut digits);
+    if let [b'.', behind @ ..] = rest {
+        rest = take_digits(behind, &mut number);
+        decimals = behind.len() - rest.len();
+        digits += decimals;
     }
-    let usable = (1..=15).contains(&(whole + decimals)) && text.get(at).is_none_or(|&byte| is_blank(byte));
-    let magnitude = (digits as f64 / POWERS_OF_TEN.get(decimals)?) as f32;
-    usable.then_some((if negative { -magnitude } else { magnitude }, at))
+    if rest.first().is_some_and(|&byte| !is_blank(byte)) {
+        (decimals, rest) = take_exponent(rest, decimals)?;
+    }
+    if digits == 0 || digits > 15 {
+        return None;
+    }
+    let magnitude = quotient(number, decimals)?;
+    Some((if negative { -magnitude } else { magnitude }, rest))
 }
 
-/// Appends the decimal digits from `text[at]` on to `number`. Gives how many there are, and the index behind them.
+/// Appends the digits at the front of `text` to `number`, which 15 of them cannot overflow. Gives the text behind them.
 #[inline(always)]
-fn take_digits(text: &[u8], mut at: usize, number: &mut u64) -> (usize, usize) {
-    let start = at;
-    while let Some(&byte) = text.get(at)
-        && byte.is_ascii_digit()
-    {
-        *number = number.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
-        at += 1;
+fn take_digits<'a>(text: &'a [u8], number: &mut u64) -> &'a [u8] {
+    if let Some(chunk) = text.first_chunk::<8>() {
+        for (count, byte) in chunk.iter().enumerate() {
+            let digit = byte.wrapping_sub(b'0');
+            if digit > 9 {
+                return &text[count..];
+            }
+            *number = number.wrapping_mul(10).wrapping_add(u64::from(digit));
+        }
+        return take_digits_slow(&text[8..], number);
     }
-    (at - start, at)
+    take_digits_slow(text, number)
+}
+
+#[inline(never)]
+fn take_digits_slow<'a>(mut text: &'a [u8], number: &mut u64) -> &'a [u8] {
+    while let [digit @ b'0'..=b'9', behind @ ..] = text {
+        *number = number.wrapping_mul(10).wrapping_add(u64::from(digit - b'0'));
+        text = behind;
+    }
+    text
+}
+
+/// Takes the exponent at the front of `text` out of the number of decimals. Gives what is left of them, unless that is less
+/// than none, and the text behind the exponent.
+#[inline]
+fn take_exponent(text: &[u8], decimals: usize) -> Option<(usize, &[u8])> {
+    let (negative, text) = match text {
+        [b'e' | b'E', b'-', behind @ ..] => (true, behind),
+        [b'e' | b'E', b'+', behind @ ..] => (false, behind),
+        [b'e' | b'E', behind @ ..] => (false, behind),
+        _ => return None,
+    };
+    let mut exponent = 0;
+    let rest = take_digits(text, &mut exponent);
+    let exponent =
+        usize::try_from(exponent).ok().filter(|_| (1..=15).contains(&(text.len() - rest.len())))?;
+    if rest.first().is_some_and(|&byte| !is_blank(byte)) {
+        return None;
+    }
+    let left = if negative { decimals.checked_add(exponent) } else { decimals.checked_sub(exponent) };
+    Some((left?, rest))
+}
+
+/// `number` / 10^`decimals`, rounded to the nearest `f32`, for a number below 2^53 and up to 12 decimals.
+///
+/// An `f64` holds both sides of the division, so the quotient is rounded once, and making an `f32` of it rounds a second
+/// time. Rounding twice goes wrong only if the first rounding lands on the middle between two neighbouring `f32`s
+/// while the true quotient is next to it. Such a middle is M 2^e with M from 2^24 to 2^25, and the first rounding moves by
+/// 2^(e-29) at most. But the two are farther apart than that. With k decimals their distance is a multiple of
+/// 2^e / 5^k, and 5^12 < 2^29; or, where 2^e has no finer fraction than 2^-k, a multiple of 1 / 10^k, and then
+/// number < 2^53 means 2^e 10^k < 2^29.
+#[inline]
+fn quotient(number: u64, decimals: usize) -> Option<f32> {
+    const POWERS_OF_TEN: [f64; 13] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];
+    // By way of `i64`, because processors have an instruction for that.
+    Some((number as i64 as f64 / POWERS_OF_TEN.get(decimals)?) as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// As the standard library reads the word, if it is finite.
+    fn reference(word: &str) -> Option<u32> {
+        word.parse().ok().filter(|number: &f32| number.is_finite()).map(f32::to_bits)
+    }
+
+    /// Reads `word` with nothing, little and much behind it.
+    fn check(word: &str) {
+        for behind in ["", " ", "\n1", " 1.5 2.5 3.5 4.5 5.5 6.5 7.5"] {
+            let text = format!("{word}{behind}");
+            let number = leading(text.as_bytes());
+            let expected = reference(word).map(|bits| (bits, behind.as_bytes()));
+            assert_eq!(number.ok().map(|(number, behind)| (number.to_bits(), behind)), expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_those_of_the_standard_library() {
+        let words = "0 1 -1 1.5 -0 -0.0 -0.000000 .5 5. -.5 +1.5 1e-006 1E5 1.25e+002 1.e3 .1e1 0.0083333 \
+            0.1 123456789012345 1234567890123456 12345678.90123456 0.123456789012345678 99999.999999 \
+            999999999999999.0 1.000000059604644775390625 3.4028235e38 1e-45 1e-46 0e999999999999 1.5e-12 1.5e-13";
+        words.split_whitespace().for_each(check);
+    }
+
+    #[test]
+    fn what_is_no_finite_number_is_told_apart() {
+        let problems = [
+            ("", BadNumber::NotANumber),
+            ("-", BadNumber::NotANumber),
+            (".", BadNumber::NotANumber),
+            ("1.5e", BadNumber::NotANumber),
+            ("1.5e-", BadNumber::NotANumber),
+            ("1.2.3", BadNumber::NotANumber),
+            ("--1.0", BadNumber::NotANumber),
+            ("0x10", BadNumber::NotANumber),
+            ("1.5f", BadNumber::NotANumber),
+            ("1.#QNAN", BadNumber::NotANumber),
+            ("1.5\0", BadNumber::NotANumber),
+            ("١.٥", BadNumber::NotANumber),
+            ("nan", BadNumber::NotFinite),
+            ("-Infinity", BadNumber::NotFinite),
+            ("1e39", BadNumber::NotFinite),
+            ("1,5", BadNumber::Comma),
+        ];
+        for (word, problem) in problems {
+            check(word);
+            assert_eq!(leading(word.as_bytes()), Err(problem), "{word:?}");
+        }
+        assert_eq!(leading(&[b'1'; LONGEST_WORD + 1]), Err(BadNumber::TooLong));
+    }
+
+    #[test]
+    fn middles_between_two_numbers_are_rounded_once() {
+        // Decimals as close to the middle of two neighbouring f32s as they get.
+        for bits in (0x3a00_0000u32..0x4e00_0000).step_by(9973) {
+            let (low, high) = (f32::from_bits(bits), f32::from_bits(bits + 1));
+            let middle = (f64::from(low) + f64::from(high)) / 2.0;
+            for decimals in 0..=13 {
+                let word = format!("{middle:.decimals$}");
+                check(&word);
+                check(&format!("{word}1"));
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn any_decimal_is_the_one_of_the_standard_library(word in "-?[0-9]{0,9}[.]?[0-9]{0,14}") {
+            check(&word);
+        }
+
+        #[test]
+        fn any_exponent_is_the_one_of_the_standard_library(word in "-?[0-9]{0,3}[.]?[0-9]{0,9}[eE][-+]?[0-9]{0,4}") {
+            check(&word);
+        }
+
+        #[test]
+        fn any_word_is_a_number_only_if_it_is_one_to_the_standard_library(word in "[-+.0-9einfxa,_]{1,12}") {
+            check(&word);
+        }
+    }
 }

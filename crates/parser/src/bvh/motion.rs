@@ -115,34 +115,33 @@ impl Numbers {
 
     /// Takes numbers as long as there are numbers. Otherwise gives the word that is none, and what it is.
     fn take_all(&mut self, words: WholeWords) -> Result<(), (BadNumber, Vec<u8>)> {
-        let WholeWords { text, at: taken, lines } = words;
-        let mut at = *taken;
+        let WholeWords { text, at, lines } = words;
+        let mut rest = &text[*at..];
         let result = loop {
-            match text.get(at) {
-                None => break Ok(()),
-                Some(b'\n' | b'\r') => {
+            match rest {
+                [] => break Ok(()),
+                [b' ', behind @ ..] => rest = behind,
+                [b'\n' | b'\r', ..] => {
                     self.rows.end_line(lines.line, self.count());
-                    at = lines.take_break(text, at);
+                    let end = lines.take_break(text, text.len() - rest.len());
+                    rest = &text[end..];
                 }
-                Some(&byte) if is_blank(byte) => at += 1,
-                Some(_) => match number::leading(&text[at..]) {
-                    Ok((number, length)) => {
+                [byte, behind @ ..] if is_blank(*byte) => rest = behind,
+                _ => match number::leading(rest) {
+                    Ok((number, behind)) => {
                         if self.values.len() < self.limit || self.make_room() {
                             self.values.push(number);
                         } else {
-                            self.count_surplus(text, at, lines);
+                            self.count_surplus(text, text.len() - rest.len(), lines);
                         }
-                        at += length;
+                        // Nearly always one space follows, and then the next number.
+                        rest = behind.strip_prefix(b" ").unwrap_or(behind);
                     }
-                    Err(problem) => {
-                        let rest = &text[at..];
-                        let end = rest.iter().position(|&byte| is_blank(byte)).unwrap_or(rest.len());
-                        break Err((problem, rest[..end].to_vec()));
-                    }
+                    Err(problem) => break Err((problem, rest[..number::word_length(rest)].to_vec())),
                 },
             }
         };
-        *taken = at;
+        *at = text.len() - rest.len();
         result
     }
 
