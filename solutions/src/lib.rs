@@ -12,3 +12,8 @@ pub const FK: FkFunctions = FkFunctions {
     global_quaternion: fk::global_quaternion,
     global_position: fk::global_position,
 };
+
+/// Compiles and runs the Rust code in the book.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/getting-started.md")]
+mod getting_started {}

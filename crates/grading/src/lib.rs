@@ -17,6 +17,7 @@ mod report;
 mod rubric;
 pub mod scoreboard;
 mod self_grading;
+mod tables;
 
 pub use exam_paper::{Case, CheckPaper, Difference, Exam, PartPaper, WholeMotion};
 pub use grade::grade_part;
@@ -27,6 +28,7 @@ pub use report::{
 };
 pub use rubric::{CheckRubric, PartRubric, Rubric};
 pub use self_grading::self_grade;
+pub use tables::{misconceptions_table, rubric_table};
 
 /// The seed of the questions that students see. Teaching assistants use another one.
 pub const PUBLIC_SEED: u64 = 15;

@@ -1,18 +1,20 @@
 //! `cargo test -p fk` as a student runs it, in a copy of the workspace in which the exercise is edited.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::{env, fs};
+mod support;
+
+use std::process::Output;
+use std::sync::{Mutex, PoisonError};
 
 use solutions::template;
+
+use support::Course;
 
 const SOLUTION: &str = include_str!("../../../solutions/src/fk.rs");
 
 #[test]
 fn the_template_gets_nothing_and_is_told_not_started() {
-    let run = Course::open().grade(&template(), &[]);
+    let run = grade(&template(), &[]);
     assert_eq!(run.points, ["0 of 5  not started"; 3], "{}", run.text);
     assert!(!run.output.status.success());
     assert!(run.text.contains("Forward kinematics: 0 of 15 points."), "{}", run.text);
@@ -21,7 +23,7 @@ fn the_template_gets_nothing_and_is_told_not_started() {
 
 #[test]
 fn the_solution_gets_everything() {
-    let run = Course::open().grade(SOLUTION, &[]);
+    let run = grade(SOLUTION, &[]);
     assert_eq!(run.points, ["5 of 5  right"; 3], "{}", run.text);
     assert!(run.output.status.success(), "{}", run.text);
     assert!(run.text.contains("Forward kinematics: 15 of 15 points."), "{}", run.text);
@@ -32,7 +34,7 @@ fn the_solution_gets_everything() {
 fn a_part_that_is_all_wrong_costs_its_five_points() {
     let source = solution_with("pose[parent].position + pose[parent].rotation * local_position", "Vec3::NAN")
         .replace("None => local_position", "None => Vec3::NAN");
-    let run = Course::open().grade(&source, &[]);
+    let run = grade(&source, &[]);
     assert_eq!(run.points, ["5 of 5  right", "5 of 5  right", "0 of 5  wrong"], "{}", run.text);
     assert!(run.text.contains("Forward kinematics: 10 of 15 points."), "{}", run.text);
     assert!(run.text.contains("> Hips") && run.text.contains("the first wrong joint"), "{}", run.text);
@@ -41,7 +43,7 @@ fn a_part_that_is_all_wrong_costs_its_five_points() {
 #[test]
 fn a_misconception_is_named_and_the_first_wrong_joint_is_marked() {
     let source = solution_with("pose[parent].rotation * local,", "local * pose[parent].rotation,");
-    let run = Course::open().grade(&source, &[]);
+    let run = grade(&source, &[]);
     assert_eq!(run.points, ["5 of 5  right", "1 of 5  partly right", "5 of 5  right"], "{}", run.text);
     assert!(run.text.contains("You multiply in the wrong order: local times parent."), "{}", run.text);
     assert!(run.text.contains(">   LeftUpLeg "), "{}", run.text);
@@ -49,7 +51,7 @@ fn a_misconception_is_named_and_the_first_wrong_joint_is_marked() {
 
 #[test]
 fn a_filter_asks_one_part() {
-    let run = Course::open().grade(SOLUTION, &["part2"]);
+    let run = grade(SOLUTION, &["part2"]);
     assert_eq!(run.points, ["5 of 5  right"], "{}", run.text);
     assert!(run.output.status.success(), "{}", run.text);
     assert!(run.text.contains("1 passed; 0 failed; 0 ignored; 0 measured; 3 filtered out"), "{}", run.text);
@@ -59,7 +61,7 @@ fn a_filter_asks_one_part() {
 fn a_panic_costs_the_checks_that_it_happens_in() {
     let source =
         solution_with("        return Quat::IDENTITY;\n", "        panic!(\"NONE is new to me\");\n");
-    let run = Course::open().grade(&source, &[]);
+    let run = grade(&source, &[]);
     assert_eq!(run.points, ["4 of 5  partly right", "5 of 5  right", "5 of 5  right"], "{}", run.text);
     assert!(run.text.contains("exercises/fk/src/fk.rs:"), "{}", run.text);
     assert!(run.text.contains("NONE is new to me"), "{}", run.text);
@@ -68,7 +70,7 @@ fn a_panic_costs_the_checks_that_it_happens_in() {
 #[test]
 fn an_endless_loop_costs_the_check_that_it_happens_in() {
     let source = solution_with("        return Quat::IDENTITY;\n", "        loop {}\n");
-    let run = Course::open().grade(&source, &[]);
+    let run = grade(&source, &[]);
     assert_eq!(run.points, ["4 of 5  partly right", "5 of 5  right", "5 of 5  right"], "{}", run.text);
     assert!(run.text.contains("did not come back within 10 seconds"), "{}", run.text);
 }
@@ -79,7 +81,7 @@ fn a_function_that_calls_itself_without_end_costs_its_part() {
         "Some(parent) => pose[parent].rotation * local,",
         "Some(_) => global_quaternion(joint, local, pose),",
     );
-    let run = Course::open().grade(&source, &[]);
+    let run = grade(&source, &[]);
     assert_eq!(run.points, ["5 of 5  right", "1 of 5  partly right", "5 of 5  right"], "{}", run.text);
     assert!(run.text.contains("your code ended the program"), "{}", run.text);
 }
@@ -90,18 +92,16 @@ fn what_the_student_prints_reaches_the_terminal() {
         "    match joint.parent {",
         "    println!(\"I am {}\", joint.name);\n    match joint.parent {",
     );
-    let run = Course::open().grade(&source, &["part2"]);
+    let run = grade(&source, &["part2"]);
     assert_eq!(run.points, ["5 of 5  right"], "{}", run.text);
     assert!(run.text.contains("\nI am Hips\n"), "{}", run.text);
 }
 
 #[test]
 fn no_colours_where_there_is_no_terminal() {
-    let run = Course::open().grade(&template(), &[]);
+    let run = grade(&template(), &[]);
     assert!(!run.text.contains('\x1b'), "{}", run.text);
 }
-
-const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 fn template() -> String {
     template::strip(SOLUTION).unwrap()
@@ -119,68 +119,20 @@ struct Run {
     points: Vec<String>,
 }
 
-/// A copy of what the exercise needs. One test at a time edits it.
-struct Course {
-    folder: PathBuf,
-    _alone: MutexGuard<'static, ()>,
-}
-
-impl Course {
-    fn open() -> Course {
-        static ALONE: Mutex<()> = Mutex::new(());
-        let alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("a course with spaces");
-        for part in ["Cargo.toml", "Cargo.lock", ".cargo", "crates", "exercises", "solutions"] {
-            copy(&Path::new(WORKSPACE).join(part), &folder.join(part));
-        }
-        Course { folder, _alone: alone }
-    }
-
-    fn grade(&self, source: &str, filter: &[&str]) -> Run {
-        write(&self.folder.join("exercises/fk/src/fk.rs"), source.as_bytes());
-        let output =
-            cargo(&self.folder).args(["test", "--offline", "-p", "fk"]).args(filter).output().unwrap();
-        let text =
-            String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
-        let points = text.lines().filter(|line| line.starts_with("  part")).filter_map(|line| {
-            let words: Vec<&str> = line.split_whitespace().collect();
-            let of = words.iter().position(|word| *word == "of")?;
-            Some(format!("{} of {}  {}", words[of - 1], words[of + 1], words[of + 2..].join(" ")))
-        });
-        let points = points.collect();
-        Run { output, text, points }
-    }
-}
-
-/// Cargo as a student would call it, not as a part of the cargo that runs these tests.
-fn cargo(folder: &Path) -> Command {
-    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.current_dir(folder);
-    for (name, _) in env::vars_os() {
-        let name = name.to_string_lossy().into_owned();
-        if name.starts_with("CARGO_") && name != "CARGO_HOME" || name.starts_with("RUST_BACKTRACE") {
-            command.env_remove(name);
-        }
-    }
-    command
-}
-
-/// Copies what has changed, so that only that is built again.
-fn copy(from: &Path, to: &Path) {
-    if from.is_dir() {
-        for entry in fs::read_dir(from).unwrap() {
-            let name = entry.unwrap().file_name();
-            copy(&from.join(&name), &to.join(&name));
-        }
-    } else {
-        write(to, &fs::read(from).unwrap());
-    }
-}
-
-fn write(path: &Path, bytes: &[u8]) {
-    if fs::read(path).is_ok_and(|old| old == bytes) {
-        return;
-    }
-    fs::create_dir_all(path.parent().unwrap()).unwrap();
-    fs::write(path, bytes).unwrap();
+fn grade(source: &str, filter: &[&str]) -> Run {
+    // One test at a time edits the copy.
+    static ALONE: Mutex<()> = Mutex::new(());
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let course = Course::open("a course with spaces");
+    course.save(source);
+    let output = course.test_command().args(filter).output().unwrap();
+    let text =
+        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let points = text.lines().filter(|line| line.starts_with("  part")).filter_map(|line| {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let of = words.iter().position(|word| *word == "of")?;
+        Some(format!("{} of {}  {}", words[of - 1], words[of + 1], words[of + 2..].join(" ")))
+    });
+    let points = points.collect();
+    Run { output, text, points }
 }

@@ -1,0 +1,200 @@
+//! The book says what is true: its tables come from the rubric, its signatures from the solution, its links lead
+//! somewhere, its commands exist. `FK_LAB_BLESS=1 cargo test -p grading --test book` writes the tables again.
+#![allow(clippy::unwrap_used)] // Helpers of tests.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use grading::{fk, misconceptions_table, rubric_table};
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
+
+fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The chapters, the README and other texts, by their path from the workspace's root.
+fn texts() -> BTreeMap<String, String> {
+    let mut texts = BTreeMap::new();
+    for folder in ["", "docs", "data"] {
+        for entry in fs::read_dir(workspace().join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|extension| extension == "md") {
+                let name = Path::new(folder).join(path.file_name().unwrap());
+                texts.insert(name.to_str().unwrap().replace('\\', "/"), fs::read_to_string(path).unwrap());
+            }
+        }
+    }
+    texts
+}
+
+#[test]
+fn tables_come_from_the_rubric() {
+    let rubric = rubric_table(&fk::RUBRIC);
+    let all = fk::RUBRIC.parts.iter().map(|part| (part, fk::misconceptions(part.id)));
+    let misconceptions = misconceptions_table(all);
+    for (file, name, table) in [
+        ("docs/fk.md", "rubric", &rubric),
+        ("docs/marking.md", "rubric", &rubric),
+        ("docs/marking.md", "misconceptions", &misconceptions),
+    ] {
+        let path = workspace().join(file);
+        let text = fs::read_to_string(&path).unwrap();
+        let (begin, end) = (format!("<!-- {name}: begin -->\n"), format!("<!-- {name}: end -->"));
+        let from = text.find(&begin).unwrap() + begin.len();
+        let to = text.find(&end).unwrap();
+        if env::var_os("FK_LAB_BLESS").is_some() {
+            fs::write(&path, format!("{}{table}{}", &text[..from], &text[to..])).unwrap();
+        } else {
+            assert_eq!(&text[from..to], table, "{file}");
+        }
+    }
+}
+
+#[test]
+fn signatures_are_the_solutions() {
+    let solution = fs::read_to_string(workspace().join("solutions/src/fk.rs")).unwrap();
+    let chapter = &texts()["docs/fk.md"];
+    let blocks = code_blocks(chapter);
+    let signatures: Vec<_> = blocks.iter().filter(|(kind, _)| kind == "rust,ignore").collect();
+    assert_eq!(signatures.len(), 3);
+    for (_, signature) in signatures {
+        assert!(solution.contains(&format!("{} {{", signature.trim_end())), "{signature}");
+    }
+}
+
+#[test]
+fn the_motion_file_in_the_handout_can_be_read() {
+    let chapter = &texts()["docs/fk.md"];
+    let blocks = code_blocks(chapter);
+    let block = |begin: &str| blocks.iter().find(|(_, code)| code.starts_with(begin)).unwrap().1.clone();
+    let file = block("HIERARCHY") + &block("MOTION").replace("Frames: 1377", "Frames: 1");
+    let reading = parser::bvh::read(file.as_bytes()).unwrap();
+    assert!(reading.warnings.is_empty(), "{:?}", reading.warnings);
+    assert_eq!(reading.motion.frame_count(), 1);
+    assert_eq!(reading.motion.skeleton().len(), 4);
+}
+
+#[test]
+fn every_link_and_picture_leads_somewhere() {
+    let texts = texts();
+    let mut checked = 0;
+    for (file, text) in &texts {
+        let folder = workspace().join(file).parent().unwrap().to_owned();
+        for link in links(text) {
+            if link.starts_with("https://") {
+                continue;
+            }
+            let (path, anchor) = link.split_once('#').unwrap_or((&link, ""));
+            let target = if path.is_empty() { workspace().join(file) } else { folder.join(path) };
+            assert!(target.exists(), "{file}: {link} leads nowhere");
+            if !anchor.is_empty() {
+                let anchors = anchors(&fs::read_to_string(&target).unwrap());
+                assert!(anchors.iter().any(|known| known == anchor), "{file}: {link}: no such heading");
+            }
+            checked += 1;
+        }
+    }
+    assert!(checked > 20, "{checked}");
+}
+
+#[test]
+fn every_chapter_is_in_the_summary() {
+    let texts = texts();
+    let listed: Vec<String> = links(&texts["docs/SUMMARY.md"]);
+    for file in
+        texts.keys().filter_map(|file| file.strip_prefix("docs/")).filter(|file| *file != "SUMMARY.md")
+    {
+        assert!(listed.iter().any(|link| link == file), "docs/{file} is not in docs/SUMMARY.md");
+    }
+}
+
+#[test]
+fn every_command_exists() {
+    let config = fs::read_to_string(workspace().join(".cargo/config.toml")).unwrap();
+    let aliases = config.lines().filter_map(|line| line.split_once(" = ")).map(|(alias, _)| alias);
+    let known: Vec<&str> = aliases.chain(["test", "bench"]).collect();
+    let mut checked = 0;
+    for (file, text) in texts() {
+        for (_, code) in code_blocks(&text).into_iter().filter(|(kind, _)| kind == "sh") {
+            for line in code.lines() {
+                let words: Vec<&str> =
+                    line.split_whitespace().skip_while(|word| word.contains('=')).collect();
+                let known = words[0] != "cargo" || known.contains(&words[1]);
+                assert!(known, "{file}: there is no {line:?}");
+                let package = words.iter().position(|word| *word == "-p").map(|at| words[at + 1]);
+                assert!(package.is_none_or(is_package), "{file}: {line:?}: no such package");
+                let files = words.iter().filter(|word| word.starts_with("data/"));
+                assert!(
+                    files.clone().all(|path| workspace().join(path).exists()),
+                    "{file}: {line:?}: no such file"
+                );
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 8, "{checked}");
+}
+
+/// Paths in the running text, written as code, are files or folders of the workspace.
+#[test]
+fn every_path_exists() {
+    let roots = ["crates/", "exercises/", "solutions/", "data/", "docs/", ".ci/", ".cargo/"];
+    for (file, text) in texts() {
+        for event in events(&text) {
+            let Event::Code(code) = event else { continue };
+            if roots.iter().any(|root| code.starts_with(root)) && !code.contains(['*', ' ', '…']) {
+                assert!(workspace().join(&*code).exists(), "{file}: {code} does not exist");
+            }
+        }
+    }
+}
+
+fn is_package(name: &str) -> bool {
+    ["crates", "exercises", "."]
+        .iter()
+        .any(|folder| workspace().join(folder).join(name).join("Cargo.toml").exists())
+}
+
+fn events(text: &str) -> impl Iterator<Item = Event<'_>> {
+    Parser::new_ext(text, Options::ENABLE_TABLES)
+}
+
+fn code_blocks(text: &str) -> Vec<(String, String)> {
+    let mut blocks = Vec::new();
+    let mut open = None;
+    for event in events(text) {
+        match event {
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(kind))) => {
+                open = Some((kind.to_string(), String::new()))
+            }
+            Event::Text(text) => {
+                if let Some((_, code)) = &mut open {
+                    code.push_str(&text);
+                }
+            }
+            Event::End(TagEnd::CodeBlock) => blocks.extend(open.take()),
+            _ => {}
+        }
+    }
+    blocks
+}
+
+fn links(text: &str) -> Vec<String> {
+    let target = |event| match event {
+        Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => Some(dest_url.to_string()),
+        _ => None,
+    };
+    events(text).filter_map(target).collect()
+}
+
+/// The headings as links name them: lower case, hyphens for blanks.
+fn anchors(text: &str) -> Vec<String> {
+    let headings = text.lines().filter_map(|line| line.strip_prefix('#'));
+    let anchor = |heading: &str| {
+        let heading = heading.trim_start_matches('#').trim().to_lowercase();
+        let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+        kept.collect::<String>().replace(' ', "-")
+    };
+    headings.map(anchor).collect()
+}
