@@ -5,8 +5,8 @@
 //! 0.245, shank 0.246, ankle above the sole 0.039, foot 0.152, upper arm 0.186, forearm 0.146, hand 0.108. Where the
 //! joints of trunk, collar and hand stand is our own estimate within the heights given there.
 //!
-//! At rest it stands in a T: Y up, facing +Z, its left at +X, arms stretched out to the sides, palms down. The unit is
-//! the centimetre.
+//! At rest it stands in a T: Y up, facing +Z, its left at +X, arms stretched out to the sides, palms down. The unit
+//! is the centimetre.
 
 use glam::{DVec3, Vec3};
 use skeleton::{Axis, Channel, JointId, Skeleton, SkeletonError};

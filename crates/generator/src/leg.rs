@@ -1,20 +1,19 @@
-//! Inverse kinematics of the leg: the joint angles that bring the foot where it should be.
-//!
-//! A leg has two bones of fixed length between the hip and the ankle. Where both ends are given, the knee's angle
-//! follows from the law of cosines, and only the direction in which the knee points is free.
+//! The leg: where a foot stands, and the joint angles that bring it there.
 
 use glam::{DMat3, DVec3};
 use skeleton::Axis;
 
 use crate::Error;
-use crate::humanoid::{ANKLE_HEIGHT, BALL, BALL_HEIGHT, HEEL, SHANK, Side, THIGH};
-use crate::math::{acos, from_euler, to_euler, turn};
+use crate::humanoid::{BALL, HEEL, SHANK, Side, THIGH};
+use crate::math::{from_euler, to_euler, turn};
 use crate::recorder::Recorder;
+use crate::spline::Spline;
+use crate::two_bones::Bend;
 
-/// Where a foot is: the ankle's position in cm, and the foot's global rotation.
+/// Where a foot is.
 #[derive(Clone, Copy, Debug)]
 pub struct Foot {
-    /// The ankle's global position.
+    /// The ankle's global position, in cm.
     pub ankle: DVec3,
     /// The foot's global rotation.
     pub rotation: DMat3,
@@ -26,15 +25,15 @@ impl Foot {
     /// A foot that stands on level ground. `ball` is the ball of the foot when the sole lies flat; `heading` is the
     /// direction of the toes (degrees about Y, 0 is +Z).
     ///
-    /// With a positive `pitch` (degrees) the heel is raised: the foot turns about its ball and the toes stay flat. With
-    /// a negative one the toes are raised: the foot turns about its heel.
+    /// With a positive `pitch` (degrees) the heel is raised: the foot turns about its ball and the toes stay flat.
+    /// With a negative one the toes are raised: the foot turns about its heel.
     pub fn standing(ball: DVec3, heading: f64, pitch: f64) -> Foot {
-        let rotation = turn(Axis::Y, heading) * turn(Axis::X, pitch);
-        let flat_ankle = ball - turn(Axis::Y, heading) * BALL;
+        let flat = turn(Axis::Y, heading);
+        let rotation = flat * turn(Axis::X, pitch);
         if pitch >= 0.0 {
             Foot { ankle: ball - rotation * BALL, rotation, toes: -pitch }
         } else {
-            let heel = flat_ankle + turn(Axis::Y, heading) * HEEL;
+            let heel = ball + flat * (HEEL - BALL);
             Foot { ankle: heel - rotation * HEEL, rotation, toes: 0.0 }
         }
     }
@@ -55,32 +54,52 @@ pub struct LegAngles {
     pub toes: f64,
 }
 
+/// Points through which one angle of a swinging leg passes: (part of the swing, 0 to 1; degrees).
+pub type Knots = Vec<(f64, f64)>;
+
 impl LegAngles {
     /// The angles that put the foot in its place. `hip` is the hip joint's global position, `pelvis` the pelvis's
     /// global rotation; the knee points as near as possible to `knee_heading` (degrees about Y).
-    ///
-    /// A foot out of reach is reached for with a leg that is not quite straight.
     pub fn reaching(hip: DVec3, pelvis: DMat3, foot: Foot, knee_heading: f64) -> LegAngles {
-        let to_ankle = foot.ankle - hip;
-        let distance = to_ankle.length().min(0.9995 * (THIGH + SHANK));
-        let down = to_ankle.normalize();
-        // The knee's axis: at right angles to the line from hip to ankle, as near as possible to the wanted one.
-        let wanted = turn(Axis::Y, knee_heading) * DVec3::X;
-        let axis = (wanted - wanted.dot(down) * down).normalize();
-        let forward = down.cross(axis);
-        let corner =
-            |a: f64, b: f64, opposite: f64| acos((a * a + b * b - opposite * opposite) / (2.0 * a * b));
-        let at_hip = corner(THIGH, distance, SHANK).to_radians();
-        let knee = 180.0 - corner(THIGH, SHANK, distance);
-        let along = libm::cos(at_hip) * down + libm::sin(at_hip) * forward;
-        let thigh = DMat3::from_cols(axis, -along, axis.cross(-along));
-        let shank = thigh * turn(Axis::X, knee);
+        let wanted_axis = turn(Axis::Y, knee_heading) * DVec3::X;
+        let bend = Bend::reaching(hip, foot.ankle, [THIGH, SHANK], wanted_axis);
+        let thigh = bend.upper_rotation(-1.0);
+        let shank = thigh * turn(Axis::X, bend.degrees);
         LegAngles {
             thigh: to_euler(pelvis.transpose() * thigh, Axis::ALL, [0.0; 3]),
-            knee,
+            knee: bend.degrees,
             foot: to_euler(shank.transpose() * foot.rotation, Axis::ALL, [0.0; 3]),
             toes: foot.toes,
         }
+    }
+
+    /// The angles at `time` of a leg that swings from one stand to the next, from `span[0]` to `span[1]` (seconds).
+    ///
+    /// `standing` gives the angles of the stand before for the first moment and of the one after for the last, and a
+    /// little beside both. Every angle follows a smooth curve that takes over place and speed at one end, passes its
+    /// `knots`, and hands place and speed over at the other. `knots` has one entry for each of the eight angles.
+    pub fn swinging(
+        span: [f64; 2],
+        standing: [&dyn Fn(f64) -> LegAngles; 2],
+        knots: [Knots; 8],
+        time: f64,
+    ) -> LegAngles {
+        // Just long enough for a difference of angles to say a speed.
+        const MOMENT: f64 = 1.0 / 480.0;
+        let [leaving, arriving] = [0, 1].map(|end| {
+            let angles = |time: f64| standing[end](time).to_array();
+            let (before, after) = (angles(span[end] - MOMENT), angles(span[end] + MOMENT));
+            let speeds: [f64; 8] = std::array::from_fn(|n| (after[n] - before[n]) / (2.0 * MOMENT));
+            (angles(span[end]), speeds)
+        });
+        let mut knots = knots.into_iter();
+        LegAngles::from_array(std::array::from_fn(|n| {
+            let inner = knots.next().unwrap_or_default();
+            let mut points = vec![(span[0], leaving.0[n])];
+            points.extend(inner.iter().map(|(part, angle)| (span[0] + part * (span[1] - span[0]), *angle)));
+            points.push((span[1], arriving.0[n]));
+            Spline::clamped(&points, [leaving.1[n], arriving.1[n]]).at(time)
+        }))
     }
 
     /// Sets the leg of the pose on one side.
@@ -95,7 +114,7 @@ impl LegAngles {
         pose.set_angles(&side.joint("ToeBase"), [self.toes, 0.0, 0.0])
     }
 
-    /// All eight angles, thigh first.
+    /// All eight angles: thigh X, Y, Z, knee, foot X, Y, Z, toes.
     pub fn to_array(self) -> [f64; 8] {
         let ([a, b, c], [d, e, f]) = (self.thigh, self.foot);
         [a, b, c, self.knee, d, e, f, self.toes]
@@ -106,9 +125,3 @@ impl LegAngles {
         LegAngles { thigh: [a, b, c], knee, foot: [d, e, f], toes }
     }
 }
-
-/// The ball of a foot that stands flat with its ankle above the ground point (x, z).
-pub fn ball_below(x: f64, z: f64, heading: f64) -> DVec3 {
-    DVec3::new(x, ANKLE_HEIGHT, z) + turn(Axis::Y, heading) * BALL
-}
-const _: f64 = BALL_HEIGHT;

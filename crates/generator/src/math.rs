@@ -46,8 +46,8 @@ pub fn from_euler(axes: [Axis; 3], angles: [f64; 3]) -> DMat3 {
 /// Of all triples that mean this rotation it takes the one nearest to `near`, so that a movement gives continuous
 /// angles, beyond ±180° too.
 ///
-/// With the axes i, j, k in cyclic order the product has sin b at (i, k), −sin a cos b at (j, k), cos a cos b at (k, k),
-/// −cos b sin c at (i, j) and cos b cos c at (i, i); in the other order the sines change sign (Diebel 2006,
+/// With the axes i, j, k in cyclic order the product has sin b at (i, k), −sin a cos b at (j, k), cos a cos b at
+/// (k, k), −cos b sin c at (i, j) and cos b cos c at (i, i); in the other order the sines change sign (Diebel 2006,
 /// "Representing attitude", section 8). A second triple is a + 180°, 180° − b, c + 180°.
 pub fn to_euler(rotation: DMat3, axes: [Axis; 3], near: [f64; 3]) -> [f64; 3] {
     let [i, j, k] = axes.map(Axis::index);
@@ -101,4 +101,43 @@ pub fn wobble(which: u32, time: f64) -> f64 {
         sin(360.0 * (frequency * time + start))
     });
     waves.sum::<f64>() / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use skeleton::RotationOrder;
+
+    proptest! {
+        #[test]
+        fn angles_survive_the_way_through_a_rotation(
+            order in 0..6_usize, a in -400.0..400.0, b in -400.0..400.0, c in -400.0..400.0,
+        ) {
+            let axes = RotationOrder::ROTATING[order].axes().expect("three axes");
+            let rotation = from_euler(axes, [a, b, c]);
+            // Near themselves the angles come back as they were, but where two axes fall together.
+            let found = to_euler(rotation, axes, [a, b, c]);
+            prop_assert!(from_euler(axes, found).abs_diff_eq(rotation, 1e-9));
+            if cos(b).abs() > 1e-3 {
+                for (found, angle) in found.into_iter().zip([a, b, c]) {
+                    prop_assert!((found - angle).abs() < 1e-6, "{found} for {angle}");
+                }
+            }
+        }
+
+        #[test]
+        fn a_wrapped_angle_is_the_same_direction_within_half_a_turn(angle in -2000.0..2000.0) {
+            let wrapped = wrap(angle);
+            prop_assert!(wrapped.abs() <= 180.0);
+            prop_assert!((sin(wrapped) - sin(angle)).abs() < 1e-9 && (cos(wrapped) - cos(angle)).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn turns_are_counter_clockwise() {
+        assert!((turn(Axis::X, 90.0) * DVec3::Y).abs_diff_eq(DVec3::Z, 1e-12));
+        assert!((turn(Axis::Y, 90.0) * DVec3::Z).abs_diff_eq(DVec3::X, 1e-12));
+        assert!((turn(Axis::Z, 90.0) * DVec3::X).abs_diff_eq(DVec3::Y, 1e-12));
+    }
 }

@@ -64,7 +64,8 @@ impl Recorder {
         Ok(())
     }
 
-    /// Sets the local position of a joint, in the skeleton's unit. It matters on the axes that have a position channel.
+    /// Sets the local position of a joint, in the skeleton's unit. It matters on the axes that have a position
+    /// channel.
     ///
     /// # Errors
     ///

@@ -12,17 +12,19 @@ mod upper;
 
 use skeleton::{Axis, Motion};
 
+use crate::Error;
 use crate::humanoid::{Side, skeleton};
 use crate::recorder::Recorder;
-use crate::{Error, FRAME_TIME};
 use course::Course;
 use pelvis::Pelvis;
 use steps::Steps;
 
 /// How many frames the run has.
-pub const FRAMES: usize = 1377;
+const FRAMES: usize = 1377;
+/// The seconds between two frames, as files recorded at 120 frames per second have it.
+const FRAME_TIME: f64 = 0.008333;
 
-/// The run: [`FRAMES`] frames at 120 per second, all joints in the order X, Y, Z, in cm.
+/// The run: 1377 frames at 120 per second, all joints in the order X, Y, Z, in cm.
 ///
 /// # Errors
 ///

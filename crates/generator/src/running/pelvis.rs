@@ -9,9 +9,9 @@ use crate::humanoid::{LEFT_HIP, Side};
 use crate::math::{cos, from_euler, wobble};
 
 /// The height of the hip joints when a foot strikes, in cm.
-const STRIKE_HEIGHT: f64 = 89.2;
+const STRIKE_HEIGHT: f64 = 89.8;
 /// The height of the hip joints when a foot leaves the ground, in cm.
-const OFF_HEIGHT: f64 = 87.8;
+const OFF_HEIGHT: f64 = 88.0;
 
 /// Where the pelvis is.
 #[derive(Clone, Copy, Debug)]
@@ -35,10 +35,10 @@ impl Pelvis {
         let wave = |amplitude: f64, peak: f64| amplitude * cos(360.0 * (now.phase - peak));
         let double_wave = |amplitude: f64, peak: f64| amplitude * cos(720.0 * (now.phase - peak));
         // Schache et al. 1999, "The coordinated movement of the lumbo-pelvic-hip complex during running": about 6°
-        // forward on the side of the leg that is in front, 4.5° up on the side that stands, 2° of tilt.
+        // forward on the side of the leg that is in front, 4.5° up on the side that stands, 1.5° of tilt.
         let rotation = wave(6.0 + 0.6 * wobble(3, time), 0.40);
         let list = wave(4.5 + 0.5 * wobble(4, time), 0.14);
-        let tilt = double_wave(2.0, 0.2);
+        let tilt = double_wave(1.5, 0.18);
         let angles = [tilt * cos(now.heading), now.heading + rotation, list - 0.6 * now.lean];
         let rotation = from_euler(Axis::ALL, angles);
         let sway = wave(1.1, 0.15) + 0.8 * wobble(5, time);

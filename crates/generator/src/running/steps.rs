@@ -23,7 +23,7 @@ pub struct Step {
 }
 
 /// The part of a contact after which the ball of the foot is under the hips.
-const UNDER: f64 = 0.46;
+const UNDER: f64 = 0.44;
 /// The height of the hip joints, about which the body leans into a curve, in cm.
 const LEANING_HEIGHT: f64 = 80.0;
 
@@ -49,11 +49,11 @@ impl Step {
     /// The foot at `time`, which should be in the contact or just beside it.
     ///
     /// It strikes with the heel, toes 8° up, lies flat after a fifth of the contact, and from the middle on the heel
-    /// rises, to 52° at take-off (Novacheck 1998).
+    /// rises, to 60° at take-off (Novacheck 1998).
     pub fn foot(&self, time: f64) -> Foot {
         let t = (time - self.strike) / (self.off - self.strike);
         let square = |x: f64| if x > 0.0 { x * x } else { 0.0 };
-        let pitch = 56.0 * square((t - 0.42) / 0.58) - 8.0 * square((0.24 - t) / 0.24);
+        let pitch = 60.0 * square((t - 0.33) / 0.67) - 8.0 * square((0.24 - t) / 0.24);
         Foot::standing(self.ball, self.heading, pitch)
     }
 }

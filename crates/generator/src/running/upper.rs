@@ -27,7 +27,7 @@ pub fn set(pose: &mut Recorder, now: &Moment, pelvis: &Pelvis, time: f64) -> Res
 /// The trunk leans forward by about 8° and turns against the pelvis. Gives the chest's global rotation.
 fn set_spine(pose: &mut Recorder, now: &Moment, pelvis: &Pelvis, time: f64) -> Result<DMat3, Error> {
     let wave = |peak: f64| cos(360.0 * (now.phase - peak));
-    let lean = 11.0 + 1.0 * now.effort() + 1.5 * cos(720.0 * (now.phase - 0.22)) + 0.5 * wobble(21, time);
+    let lean = 12.0 + 1.0 * now.effort() + 1.0 * cos(720.0 * (now.phase - 0.18)) + 0.5 * wobble(21, time);
     let twist = -(15.0 + wobble(22, time)) * wave(0.40);
     let list = -4.0 * wave(0.14) - 0.4 * now.lean;
     let mut rotation = pelvis.rotation;
@@ -63,7 +63,7 @@ fn set_arm(pose: &mut Recorder, now: &Moment, side: Side, time: f64) -> Result<(
     let vary = wobble(30 + side as u32, time);
     let swing = (23.0 + 4.0 * now.effort() + 1.5 * vary) * wave(0.31) + 2.5 * cos(720.0 * (phase - 0.31));
     let forward = swing - 14.0;
-    let elbow = 97.0 + 13.0 * wave(0.33) + 2.0 * vary;
+    let elbow = 100.0 + 13.0 * wave(0.33) + 2.0 * vary;
     let inwards = 14.0 + 10.0 * wave(0.33);
     let away = 17.0 - 4.0 * wave(0.31);
     let mut set = |name: &str, left: [f64; 3]| pose.set_angles(&side.joint(name), side.mirror_angles(left));
