@@ -88,10 +88,10 @@ const HIPS: [Row; 3] = [
     [88.0, 77.0, 100.1, 100.1, 74.0, 89.5, 92.0, 89.0, 91.0],
     [-4.0, -2.0, 13.0, 13.0, 8.0, -1.0, 0.0, 1.0, 1.0],
 ];
-/// Where the hips face, and how far they tilt forward and to the left, in degrees.
+/// Where the hips face, and how far they tilt forward and to the right, in degrees.
 const YAW: Row = [8.0, -24.0, 100.0, 650.0, 728.0, 712.0, 718.0, 722.0, 724.0];
 const TILT_FORWARD: Row = [0.0, 5.0, 0.0, 0.0, 6.0, 4.0, -16.0, -4.0, -6.0];
-const TILT_LEFT: Row = [0.0, 1.0, 3.0, 3.0, -4.0, 0.0, -5.0, 0.0, 0.0];
+const TILT_RIGHT: Row = [0.0, 1.0, 3.0, 3.0, -4.0, 0.0, -5.0, 0.0, 0.0];
 /// The trunk's angles about X, Y and Z, which the spine shares.
 const TRUNK: [Row; 3] = [
     [0.0, 6.0, -2.0, -2.0, 10.0, -6.0, 14.0, -14.0, -20.0],
@@ -162,7 +162,7 @@ fn at(row: &Row, time: f64) -> f64 {
 fn set_pose(time: f64, pose: &mut Recorder) -> Result<(), Error> {
     let (hips, position) = hips(time);
     pose.set_position("Hips", position)?;
-    pose.set_angles("Hips", [at(&TILT_FORWARD, time), at(&YAW, time), at(&TILT_LEFT, time)])?;
+    pose.set_angles("Hips", [at(&TILT_FORWARD, time), at(&YAW, time), at(&TILT_RIGHT, time)])?;
     for part in [&LEFT_LEG, &RIGHT_LEG] {
         leg(part, time).set(pose, part.side)?;
     }
@@ -173,7 +173,7 @@ fn set_pose(time: f64, pose: &mut Recorder) -> Result<(), Error> {
 
 /// The rotation of the hips and the position of the joint `Hips`.
 fn hips(time: f64) -> (DMat3, DVec3) {
-    let angles = [at(&YAW, time), at(&TILT_FORWARD, time), at(&TILT_LEFT, time)];
+    let angles = [at(&YAW, time), at(&TILT_FORWARD, time), at(&TILT_RIGHT, time)];
     let rotation = from_euler([Axis::Y, Axis::X, Axis::Z], angles);
     let middle = DVec3::from_array(HIPS.map(|row| at(&row, time)));
     (rotation, middle - rotation * DVec3::new(0.0, LEFT_HIP.y, 0.0))

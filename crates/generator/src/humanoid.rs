@@ -140,6 +140,6 @@ pub fn skeleton(order: impl Fn(&str) -> [Axis; 3]) -> Result<Skeleton, SkeletonE
 }
 
 /// The joint with this name.
-pub fn named(skeleton: &Skeleton, name: &str) -> Option<JointId> {
+fn named(skeleton: &Skeleton, name: &str) -> Option<JointId> {
     skeleton.joints().iter().find(|joint| joint.name == name).map(|joint| joint.id)
 }

@@ -48,7 +48,8 @@ pub fn from_euler(axes: [Axis; 3], angles: [f64; 3]) -> DMat3 {
 ///
 /// With the axes i, j, k in cyclic order the product has sin b at (i, k), −sin a cos b at (j, k), cos a cos b at
 /// (k, k), −cos b sin c at (i, j) and cos b cos c at (i, i); in the other order the sines change sign (Diebel 2006,
-/// "Representing attitude", section 8). A second triple is a + 180°, 180° − b, c + 180°.
+/// "Representing attitude: Euler angles, unit quaternions, and rotation vectors"). A second triple is a + 180°,
+/// 180° − b, c + 180°.
 pub fn to_euler(rotation: DMat3, axes: [Axis; 3], near: [f64; 3]) -> [f64; 3] {
     let [i, j, k] = axes.map(Axis::index);
     let sign = if (i + 1) % 3 == j { 1.0 } else { -1.0 };

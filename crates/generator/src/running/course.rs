@@ -115,9 +115,9 @@ fn moment(time: f64, distance: f64, at: Moment) -> Moment {
     Moment { speed, lean, ..at }
 }
 
-/// Strides per second. Cadence grows slowly with speed, from about 166 to 174 steps a minute (Novacheck 1998, "The
-/// biomechanics of running", table 1, and Cavanagh and Kram 1989), and differs by about 1 % between strides (Jordan,
-/// Challis and Newell 2007).
+/// Strides per second. Cadence grows slowly with speed, here from 166 to 174 steps a minute (Cavanagh and Kram 1989,
+/// "Stride length in distance running"), and differs by about 1 % between strides (Jordan, Challis and Newell 2007,
+/// "Speed influences on the scaling behavior of gait cycle fluctuations during treadmill running").
 fn cadence(at: &Moment) -> f64 {
     let time = at.phase / 1.4;
     lerp(1.38, 1.45, at.effort()) * (1.0 + 0.008 * wobble(2, time))

@@ -30,9 +30,9 @@ fn standing(course: &Course, steps: &Steps, step: &Step, time: f64) -> LegAngles
 
 /// The flexions through which a swinging leg passes: (part of the swing, degrees).
 ///
-/// After the curves of Novacheck 1998 (figures 5 to 7) and Mann and Hagy 1980 for running at 3 to 4 m/s: the thigh
-/// goes on back for a moment, the knee folds to a good 100°, the thigh swings up past 40°, and the leg opens again
-/// to meet the ground.
+/// After the curves of Novacheck 1998, "The biomechanics of running", and Mann and Hagy 1980, "Biomechanics of
+/// walking, running, and sprinting", for 3 to 4 m/s: the thigh goes on back for a moment, the knee folds to a good
+/// 100°, the thigh swings up past 40°, and the leg opens again to meet the ground.
 const HIP: [(f64, f64); 4] = [(0.13, -31.0), (0.46, 12.0), (0.68, 43.0), (0.87, 33.0)];
 const KNEE: [(f64, f64); 4] = [(0.24, 57.0), (0.48, 109.0), (0.74, 60.0), (0.90, 24.0)];
 const ANKLE: [(f64, f64); 3] = [(0.14, -24.0), (0.45, -6.0), (0.72, 8.0)];

@@ -34,8 +34,9 @@ impl Pelvis {
         let now = course.at(time);
         let wave = |amplitude: f64, peak: f64| amplitude * cos(360.0 * (now.phase - peak));
         let double_wave = |amplitude: f64, peak: f64| amplitude * cos(720.0 * (now.phase - peak));
-        // Schache et al. 1999, "The coordinated movement of the lumbo-pelvic-hip complex during running": about 6°
-        // forward on the side of the leg that is in front, 4.5° up on the side that stands, 1.5° of tilt.
+        // Forward on the side of the leg that is in front, up on the side that stands, and a little tilt twice per
+        // stride; of the size that Schache et al. 1999 report in "The coordinated movement of the lumbo-pelvic-hip
+        // complex during running".
         let rotation = wave(6.0 + 0.6 * wobble(3, time), 0.40);
         let list = wave(4.5 + 0.5 * wobble(4, time), 0.14);
         let tilt = double_wave(1.5, 0.18);
@@ -58,7 +59,7 @@ impl Pelvis {
 /// The height of the hip joints at `time`.
 ///
 /// In flight the body falls freely. On the ground it is pushed up by a force that rises and falls like half a sine
-/// wave (Alexander 1989; Morin et al. 2005, "A simple method for measuring stiffness during running"), plus a
+/// wave (Morin et al. 2005, "A simple method for measuring stiffness during running"), plus a
 /// full wave that makes up for taking off lower than landing. Both strengths follow from the speeds and heights at
 /// strike and take-off.
 fn height(steps: &Steps, time: f64) -> f64 {

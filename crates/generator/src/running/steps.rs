@@ -24,7 +24,7 @@ pub struct Step {
 
 /// The part of a contact after which the ball of the foot is under the hips.
 const UNDER: f64 = 0.44;
-/// The height of the hip joints, about which the body leans into a curve, in cm.
+/// How high the hip joints are above the ankles as the body leans into a curve, in cm.
 const LEANING_HEIGHT: f64 = 80.0;
 
 impl Step {
@@ -48,8 +48,8 @@ impl Step {
 
     /// The foot at `time`, which should be in the contact or just beside it.
     ///
-    /// It strikes with the heel, toes 8° up, lies flat after a fifth of the contact, and from the middle on the heel
-    /// rises, to 60° at take-off (Novacheck 1998).
+    /// It strikes with the heel, toes 8° up, lies flat after a quarter of the contact, and after a third the heel
+    /// begins to rise, to 60° at take-off.
     pub fn foot(&self, time: f64) -> Foot {
         let t = (time - self.strike) / (self.off - self.strike);
         let square = |x: f64| if x > 0.0 { x * x } else { 0.0 };
