@@ -52,7 +52,18 @@ impl App {
         let camera = stage.camera(anchor, &[], size);
         let player = Player::new(stage.frame_count(), stage.motion().playable_frame_time());
         let offset = camera.target - anchor;
-        App { stage, title, warnings, player, camera, offset, untouched: true, ghost: true, axes: true, help: false }
+        App {
+            stage,
+            title,
+            warnings,
+            player,
+            camera,
+            offset,
+            untouched: true,
+            ghost: true,
+            axes: true,
+            help: false,
+        }
     }
 
     /// The frame to show, from 0.
@@ -150,6 +161,7 @@ impl App {
             ghost: self.ghost,
             axes: self.axes,
             help: self.help,
+            roomy: size.0 >= 800 && size.1 >= 450,
         };
         Scene {
             camera,
@@ -214,7 +226,9 @@ mod tests {
 
     fn words(scene: &Scene) -> String {
         let lines = scene.panels.iter().flat_map(|panel| &panel.lines).map(|line| match line {
-            Line::Heading(text) | Line::Text(text) | Line::Trouble(text) | Line::Legend(_, text) => text.clone(),
+            Line::Heading(text) | Line::Text(text) | Line::Trouble(text) | Line::Legend(_, text) => {
+                text.clone()
+            }
             Line::Key(key, text) => format!("{key} {text}"),
         });
         lines.collect::<Vec<_>>().join("\n")
@@ -228,7 +242,10 @@ mod tests {
         let stub = stub(&app);
         let shown = Shown::Student { posed: Some(&stub), status: &Status::Answered };
         let scene = app.scene(shown, SIZE);
-        assert_eq!(scene.figures.iter().map(|figure| figure.look).collect::<Vec<_>>(), [Look::Ghost, Look::Solid]);
+        assert_eq!(
+            scene.figures.iter().map(|figure| figure.look).collect::<Vec<_>>(),
+            [Look::Ghost, Look::Solid]
+        );
     }
 
     #[test]
@@ -288,9 +305,11 @@ mod tests {
             headline: "your code does not compile".into(),
             details: vec!["error[E0308]: mismatched types".into()],
         });
-        for (status, expected) in
-            [(&Status::Compiling, "compiling"), (&Status::Asking, "asking your functions"), (&failed, "E0308")]
-        {
+        for (status, expected) in [
+            (&Status::Compiling, "compiling"),
+            (&Status::Asking, "asking your functions"),
+            (&failed, "E0308"),
+        ] {
             let scene = app.scene(Shown::Student { posed: None, status }, SIZE);
             assert!(words(&scene).contains(expected), "{}", words(&scene));
             assert_eq!(scene.figures.len(), 1, "the ghost is still there");

@@ -46,7 +46,8 @@ impl Camera {
         self.target = low.midpoint(high);
 
         let view = self.view(size);
-        let limit = (1.0 - 2.0 * margin).max(0.1) / (2.0 * view.focal) * Vec2::new(size.0 as f32, size.1 as f32);
+        let limit =
+            (1.0 - 2.0 * margin).max(0.1) / (2.0 * view.focal) * Vec2::new(size.0 as f32, size.1 as f32);
         let mut distance = 0.5 * room / limit.min_element();
         for point in points.iter().filter(|point| point.is_finite()) {
             let seen = view.turned(*point - self.target);

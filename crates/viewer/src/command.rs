@@ -1,6 +1,7 @@
 //! The command `cargo view`.
 
 use std::fmt::Display;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -79,7 +80,7 @@ fn view(arguments: &Arguments) -> Result<(), String> {
         let stage = Arc::new(Stage::new(motion, arguments.positions.into()));
         return write_picture(arguments, stage, title, warnings, picture);
     }
-    print!("{}", report(&title, &motion, &warnings));
+    say(&report(&title, &motion, &warnings));
     if arguments.print {
         return Ok(());
     }
@@ -115,7 +116,8 @@ fn write_picture(
     app.go_to(frame);
 
     let mut canvas = Canvas::new(arguments.size.0, arguments.size.1);
-    let mut draw = |app: &App, shown: Shown| Painter::new().draw(&app.scene(shown, canvas.size()), &mut canvas);
+    let mut draw =
+        |app: &App, shown: Shown| Painter::new().draw(&app.scene(shown, canvas.size()), &mut canvas);
     if arguments.solution {
         draw(&app, Shown::Reference);
     } else {
@@ -123,7 +125,8 @@ fn write_picture(
             let posed = student::ask(&mut worker, &stage, frame..frame + 1)?;
             Ok(posed)
         });
-        let status = answer.as_ref().err().map_or(Status::Answered, |trouble| Status::Failed(trouble.clone()));
+        let status =
+            answer.as_ref().err().map_or(Status::Answered, |trouble| Status::Failed(trouble.clone()));
         let posed = answer.iter().flatten().next();
         let shown = Shown::Student { posed, status: &status };
         app.meet(shown, arguments.size);
@@ -133,8 +136,13 @@ fn write_picture(
         }
     }
     picture::save(&canvas, path).map_err(|error| format!("{}: {error}", path.display()))?;
-    println!("{}: frame {frame}, {} x {} pixels", path.display(), canvas.size().0, canvas.size().1);
+    say(&format!("{}: frame {frame}, {} x {} pixels\n", path.display(), canvas.size().0, canvas.size().1));
     Ok(())
+}
+
+/// Writes to the standard output. Whoever reads there may have gone, as `head` does; that is no reason to fail.
+fn say(text: &str) {
+    let _ = io::stdout().write_all(text.as_bytes());
 }
 
 /// The folder of the workspace: that of the package when cargo runs the viewer, or that in which it was compiled.
@@ -147,9 +155,9 @@ fn workspace() -> PathBuf {
 fn parse_size(text: &str) -> Result<(usize, usize), String> {
     let side = |side: &str| side.parse::<usize>().ok().filter(|side| (16..=MAX_SIDE).contains(side));
     let (width, height) = text.split_once(['x', 'X']).unwrap_or((text, ""));
-    side(width)
-        .zip(side(height))
-        .ok_or_else(|| format!("write two numbers from 16 to {MAX_SIDE} with an x between them, for example 1280x720"))
+    side(width).zip(side(height)).ok_or_else(|| {
+        format!("write two numbers from 16 to {MAX_SIDE} with an x between them, for example 1280x720")
+    })
 }
 
 fn keys_for_terminal() -> String {
@@ -189,7 +197,8 @@ mod tests {
     #[test]
     fn a_size_is_two_numbers_with_an_x() {
         assert_eq!(parse_size("640x480"), Ok((640, 480)));
-        for wrong in ["640", "640x", "x480", "15x400", "640x99999999999999999999", "-640x480", "640×480", ""] {
+        for wrong in ["640", "640x", "x480", "15x400", "640x99999999999999999999", "-640x480", "640×480", ""]
+        {
             assert!(parse_size(wrong).is_err(), "{wrong}");
         }
     }

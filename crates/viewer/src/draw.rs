@@ -43,7 +43,14 @@ impl Painter {
     }
 
     /// Writes one line of dark text on the picture itself; `left` and `baseline` in pixels.
-    pub fn caption(&mut self, text: &str, place: (i32, i32), size: u32, weight: Weight, canvas: &mut Canvas) -> f32 {
+    pub fn caption(
+        &mut self,
+        text: &str,
+        place: (i32, i32),
+        size: u32,
+        weight: Weight,
+        canvas: &mut Canvas,
+    ) -> f32 {
         canvas.text(&mut self.typeface, text, place, size, weight, color_of(Tint::Ink))
     }
 
@@ -57,7 +64,13 @@ impl Painter {
                     _ => "Z",
                 };
                 if let Some(spot) = view.project(tip) {
-                    self.haloed(letter, (spot.x as i32 - 5, spot.y as i32 + 5), Weight::Bold, color_of(tint), canvas);
+                    self.haloed(
+                        letter,
+                        (spot.x as i32 - 5, spot.y as i32 + 5),
+                        Weight::Bold,
+                        color_of(tint),
+                        canvas,
+                    );
                 }
             }
         }
@@ -73,7 +86,11 @@ impl Painter {
             _ => right,
         };
         if down.abs() > 20 && !mark.text.is_empty() {
-            let toward = Spot { x: spot.x + 0.9 * right as f32, y: spot.y + 0.65 * down as f32, nearness: spot.nearness };
+            let toward = Spot {
+                x: spot.x + 0.9 * right as f32,
+                y: spot.y + 0.65 * down as f32,
+                nearness: spot.nearness,
+            };
             canvas.line(spot, toward, Pen { width: 1.0, color: color_of(mark.tint), opacity: 0.6 });
         }
         let left = (spot.x as i32).saturating_add(start);
@@ -101,7 +118,7 @@ const SQUARE_BORDER: Color = Color(0x3B_0F_63);
 pub fn color_of(tint: Tint) -> Color {
     match tint {
         Tint::Joint => Color(0x8A_2B_D8),
-        Tint::Bone(Side::Left) => Color(0xD9_7A_16),
+        Tint::Bone(Side::Left) => Color(0xD9_7A_18),
         Tint::Bone(Side::Right) => Color(0x2F_7F_D0),
         Tint::Bone(Side::Middle) => Color(0x39_43_50),
         Tint::Ghost => Color(0x0E_8F_83),
@@ -202,7 +219,9 @@ impl Strokes {
         for stroke in self.list {
             match stroke {
                 Stroke::Line(from, to, pen) => canvas.line(from, to, pen),
-                Stroke::Square(centre, side) => canvas.square(centre, side, color_of(Tint::Joint), SQUARE_BORDER),
+                Stroke::Square(centre, side) => {
+                    canvas.square(centre, side, color_of(Tint::Joint), SQUARE_BORDER)
+                }
             }
         }
     }

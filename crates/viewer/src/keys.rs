@@ -56,7 +56,8 @@ pub const BINDINGS: [Binding; 9] = [
 ];
 
 /// What the mouse does: its name and its effect, for people.
-pub const MOUSE: [(&str, &str); 2] = [("drag", "look from another side"), ("wheel", "closer or farther away")];
+pub const MOUSE: [(&str, &str); 2] =
+    [("drag", "look from another side"), ("wheel", "closer or farther away")];
 
 const fn binding(key: Key, name: &'static str, action: Action, help: &'static str) -> Binding {
     Binding { key, shift: false, action, repeats: false, name, help }
@@ -90,7 +91,9 @@ impl Keyboard {
         self.held.push(key);
         let shift = self.held.contains(&Key::LeftShift) || self.held.contains(&Key::RightShift);
         let fits = |binding: &&Binding| {
-            binding.key == key && (binding.shift == shift || !uses_shift(key)) && (binding.repeats || !repeated)
+            binding.key == key
+                && (binding.shift == shift || !uses_shift(key))
+                && (binding.repeats || !repeated)
         };
         BINDINGS.iter().find(fits).map(|binding| binding.action)
     }

@@ -94,14 +94,21 @@ impl Studio {
             let place = pose[joint.id].position;
             let outwards = if place.x < 0.0 { -1 } else { 1 };
             let text_offset = match joint.name.trim_start_matches("Left").trim_start_matches("Right") {
-                "Hips" => (75, -12),
+                "Hips" => (60, -4),
+                "UpLeg" => (outwards * 14, 10),
                 "Shoulder" => (outwards * 20, -70),
-                "Arm" => (outwards * 20, 40),
+                "Arm" => (outwards * 30, 44),
                 "ForeArm" => (0, -34),
                 "Hand" => (outwards * 10, 36),
                 _ => (outwards * 14, 0),
             };
-            marks.push(Mark { from: None, to: place, text: joint.name.clone(), text_offset, tint: Tint::Ink });
+            marks.push(Mark {
+                from: None,
+                to: place,
+                text: joint.name.clone(),
+                text_offset,
+                tint: Tint::Ink,
+            });
         }
         let figure = self.stage.figure(&pose, Look::Solid, true);
         let mut scene = self.scene(vec![figure], marks);
@@ -120,13 +127,20 @@ impl Studio {
         let Some((knee, foot)) = self.bone_to("LeftFoot") else { return Canvas::new(1, 1) };
         let (parent, joint) = (pose[knee], pose[foot].position);
         let local = self.stage.frame(FRAME).local_positions[foot.0];
-        let mark = |from, to, text: &str, text_offset, tint| Mark { from, to, text: text.into(), text_offset, tint };
+        let mark =
+            |from, to, text: &str, text_offset, tint| Mark { from, to, text: text.into(), text_offset, tint };
         let (origin, unturned) = (Vec3::ZERO, parent.position + local);
         let marks = vec![
             mark(Some(origin), parent.position, "the parent's position", (-34, -40), Tint::Ink),
             mark(Some(parent.position), unturned, "the local position, not turned", (14, 8), Tint::Ghost),
             mark(Some(parent.position), joint, "", (0, 0), Tint::Bone(Side::Left)),
-            mark(None, parent.position.midpoint(joint), "turned by the parent's rotation", (40, -34), Tint::Bone(Side::Left)),
+            mark(
+                None,
+                parent.position.midpoint(joint),
+                "turned by the parent's rotation",
+                (40, -34),
+                Tint::Bone(Side::Left),
+            ),
             mark(Some(origin), joint, "the global position", (16, 0), Tint::Joint),
             mark(None, origin, "the origin", (0, 20), Tint::Ink),
         ];

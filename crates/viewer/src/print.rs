@@ -17,13 +17,17 @@ pub fn tree(skeleton: &Skeleton) -> String {
     let mut text = String::new();
     for (joint, branch) in skeleton.joints().iter().zip(&branches) {
         // Adding zero makes a plain zero of a negative one.
-        let [x, y, z] = joint.offset.to_array().map(|number| format!("{:.3}", (number * 1e3).round() / 1e3 + 0.0));
+        let [x, y, z] =
+            joint.offset.to_array().map(|number| format!("{:.3}", (number * 1e3).round() / 1e3 + 0.0));
         let order = joint.rotation_order.to_string();
         let channels = channels(joint);
         let line = format!("{branch:width$}  {x:>9} {y:>9} {z:>9}  {order:<5}  {channels}");
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    let header = format!("{:width$}  {:>9} {:>9} {:>9}  {:<5}  {}", "joint", "offset x", "y", "z", "order", "channels");
+    let header = format!(
+        "{:width$}  {:>9} {:>9} {:>9}  {:<5}  {}",
+        "joint", "offset x", "y", "z", "order", "channels"
+    );
     format!("{header}\n{text}")
 }
 
@@ -60,7 +64,8 @@ fn branches(skeleton: &Skeleton) -> Vec<String> {
 
 /// A name without characters that would do something to the terminal, and not longer than a line.
 fn printable(name: &str) -> String {
-    let mut name: String = name.chars().map(|c| if c.is_control() { '\u{FFFD}' } else { c }).take(WIDEST).collect();
+    let mut name: String =
+        name.chars().map(|c| if c.is_control() { '\u{FFFD}' } else { c }).take(WIDEST).collect();
     if name.is_empty() {
         name.push_str("(no name)");
     }
@@ -107,7 +112,10 @@ pub fn summary(motion: &Motion) -> String {
     };
     let speed = match motion.frame_time() == seconds {
         true => format!("{} s ({:.2} frames per second)", motion.frame_time(), 1.0 / seconds),
-        false => format!("{} s in the file, which cannot be played: shown at 30 frames per second", motion.frame_time()),
+        false => format!(
+            "{} s in the file, which cannot be played: shown at 30 frames per second",
+            motion.frame_time()
+        ),
     };
     let positions = match (moved_roots.len(), moved_others.len()) {
         (0, 0) => "none: the figure stays in its place".into(),
@@ -122,7 +130,10 @@ pub fn summary(motion: &Motion) -> String {
         ("frames", format!("{frames} ({numbering})")),
         ("frame time", speed),
         ("duration", format!("{:.2} s", frames as f64 * seconds)),
-        ("extent", format!("{:.3} in the file's unit (diagonal of the box around the rest pose)", skeleton.extent())),
+        (
+            "extent",
+            format!("{:.3} in the file's unit (diagonal of the box around the rest pose)", skeleton.extent()),
+        ),
     ];
     facts.iter().map(|(name, fact)| format!("{name:<16} {fact}\n")).collect()
 }

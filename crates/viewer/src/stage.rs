@@ -138,7 +138,8 @@ impl Stage {
     /// A camera that shows all that the figure does around `anchor`, and also `others`, as far as they are not much
     /// farther away than the figure is large.
     pub fn camera(&self, anchor: Vec3, others: &[Vec3], size: (usize, usize)) -> Camera {
-        let mut camera = Camera { target: anchor, azimuth: self.azimuth, elevation: ELEVATION, distance: self.size };
+        let mut camera =
+            Camera { target: anchor, azimuth: self.azimuth, elevation: ELEVATION, distance: self.size };
         let mut points: Vec<Vec3> = self.surroundings.iter().map(|place| anchor + *place).collect();
         points.extend(others.iter().filter(|place| place.distance(anchor) < 2.5 * self.size));
         camera.frame(&points, size, MARGIN, 0.5 * self.size);
@@ -180,7 +181,8 @@ fn bounds(points: &[Vec3]) -> (Vec3, Vec3) {
 /// The largest of 1, 2 and 5 times a power of ten that is not above `number`.
 fn round_number(number: f32) -> f32 {
     let power = 10f32.powf(number.log10().floor());
-    let rounded = [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|round| *round <= number * 1.0001);
+    let rounded =
+        [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|round| *round <= number * 1.0001);
     rounded.filter(|round| round.is_normal()).unwrap_or(number)
 }
 
@@ -223,7 +225,9 @@ mod tests {
 
     #[test]
     fn names_tell_sides() {
-        for name in ["LeftArm", "left_arm", "LArm", "lArm", "arm.L", "Bip01 L Arm", "mixamorig:LeftArm", "hand-l"] {
+        for name in
+            ["LeftArm", "left_arm", "LArm", "lArm", "arm.L", "Bip01 L Arm", "mixamorig:LeftArm", "hand-l"]
+        {
             assert_eq!(side_of(name), Some(Side::Left), "{name}");
         }
         for name in ["RightArm", "rArm", "R", "leg_R"] {
@@ -236,7 +240,9 @@ mod tests {
 
     #[test]
     fn a_round_number_is_one_two_or_five() {
-        for (number, round) in [(0.59, 0.5), (19.9, 10.0), (20.0, 20.0), (999.0, 500.0), (1.0, 1.0), (0.0021, 0.002)] {
+        for (number, round) in
+            [(0.59, 0.5), (19.9, 10.0), (20.0, 20.0), (999.0, 500.0), (1.0, 1.0), (0.0021, 0.002)]
+        {
             assert!((round_number(number) / round - 1.0).abs() < 1e-5, "{number}: {}", round_number(number));
         }
         assert!(round_number(0.0) == 0.0 && round_number(1e-42) > 0.0);

@@ -75,7 +75,8 @@ impl Student {
                 for batch in wanted {
                     let first = batch * batch_size;
                     let frames = first..(first + batch_size).min(frame_count);
-                    let answer = ask(&mut subject, &stage, frames).map_err(|failure| Event::Failed(failure.into()))?;
+                    let answer =
+                        ask(&mut subject, &stage, frames).map_err(|failure| Event::Failed(failure.into()))?;
                     let _ = sender.send(Event::Answered(batch, answer));
                 }
                 Ok(())
@@ -154,7 +155,9 @@ impl Student {
         let count = self.frame_count.div_ceil(self.batch_size);
         let distance = |kept: usize| kept.abs_diff(batch).min(count - kept.abs_diff(batch));
         while self.batches.len() > MOST_BATCHES {
-            let Some(farthest) = self.batches.keys().copied().max_by_key(|kept| distance(*kept)) else { return };
+            let Some(farthest) = self.batches.keys().copied().max_by_key(|kept| distance(*kept)) else {
+                return;
+            };
             self.batches.remove(&farthest);
         }
     }
@@ -184,7 +187,8 @@ pub fn ask(
     let joints = skeleton.len();
     let frames: Vec<_> = frames.map(|index| stage.frame(index)).collect();
     let expected = frames.len();
-    let Answer::Fk(answer) = subject.ask(&Question::Fk(exam::fk::Question::Poses { skeleton, frames }), PATIENCE)?;
+    let Answer::Fk(answer) =
+        subject.ask(&Question::Fk(exam::fk::Question::Poses { skeleton, frames }), PATIENCE)?;
     match answer {
         exam::fk::Answer::Poses(poses)
             if poses.len() == expected && poses.iter().all(|posed| posed.pose.len() == joints) =>
@@ -205,6 +209,7 @@ impl From<Failure> for Trouble {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicBool, Ordering};
     use std::time::Instant;
 
     use exam::{Functions, InProcess};
@@ -265,8 +270,31 @@ mod tests {
     }
 
     #[test]
+    fn no_worker_outlives_the_student() {
+        struct Worker(Arc<AtomicBool>);
+        impl Subject for Worker {
+            fn ask(&mut self, _: &Question, _: Duration) -> Result<Answer, Failure> {
+                thread::sleep(Duration::from_millis(50));
+                Err(Failure::NoAnswer { why: String::new() })
+            }
+        }
+        impl Drop for Worker {
+            fn drop(&mut self) {
+                self.0.store(true, Ordering::SeqCst);
+            }
+        }
+        let gone = Arc::new(AtomicBool::new(false));
+        let worker = Worker(gone.clone());
+        let mut student = Student::start(stage(10), move || Ok(worker));
+        update_until(&mut student, 0, |student| student.asked.is_some());
+        drop(student);
+        assert!(gone.load(Ordering::SeqCst));
+    }
+
+    #[test]
     fn functions_that_do_not_compile_become_a_text() {
-        let trouble = Trouble { headline: "your code does not compile".into(), details: vec!["error".into()] };
+        let trouble =
+            Trouble { headline: "your code does not compile".into(), details: vec!["error".into()] };
         let told = trouble.clone();
         let mut student = Student::start::<InProcess>(stage(10), move || Err(told));
         assert_eq!(student.status(3), Status::Compiling);

@@ -22,6 +22,8 @@ pub struct Facts<'a> {
     pub ghost: bool,
     pub axes: bool,
     pub help: bool,
+    /// Whether the picture is large enough for a legend.
+    pub roomy: bool,
 }
 
 /// All texts, each in its corner.
@@ -31,7 +33,9 @@ pub fn panels(facts: &Facts) -> Vec<Panel> {
         panels.push(Panel { corner: Corner::TopLeft, lines: help() });
     } else {
         panels.push(Panel { corner: Corner::BottomRight, lines: vec![Line::Key("h", "help".into())] });
-        panels.push(Panel { corner: Corner::BottomLeft, lines: legend(facts) });
+        if facts.roomy {
+            panels.push(Panel { corner: Corner::BottomLeft, lines: legend(facts) });
+        }
     }
     panels
 }
@@ -70,18 +74,25 @@ fn functions(facts: &Facts) -> Vec<Line> {
         Status::Failed(trouble) => {
             lines.push(Line::Trouble(trouble.headline.clone()));
             lines.extend(trouble.details.iter().map(|line| Line::Trouble(line.clone())));
-            lines.push(Line::Text("The terminal says more. Until it works, only the goal is shown.".into()));
+            lines.push(Line::Text(
+                "Only the goal is shown. After a change to your code, start the viewer again.".into(),
+            ));
         }
     }
     let Some(posed) = posed else { return lines };
     let joints = posed.pose.len();
     if facts.outside > 0 {
-        let text = format!("{} of your {joints} joints are outside of the picture: press f to see all", facts.outside);
+        let text = format!(
+            "{} of your {joints} joints are outside of the picture: press f to see all",
+            facts.outside
+        );
         lines.push(Line::Trouble(text));
     }
     let lost = nowhere(&posed.pose);
     if lost > 0 {
-        lines.push(Line::Trouble(format!("{lost} of your {joints} joints are nowhere: their numbers are NaN or infinite")));
+        lines.push(Line::Trouble(format!(
+            "NaN or infinity as the place of {lost} of your {joints} joints: not drawn"
+        )));
     }
     match (posed.taken, posed.available) {
         (0, 1..) => lines.push(Line::Text("part 1 takes no angles of the frame yet".into())),

@@ -21,11 +21,14 @@ const PICTURES_PER_SECOND: usize = 60;
 /// # Errors
 ///
 /// When no window can be opened.
-pub fn open(mut app: App, size: (usize, usize), student: Option<impl FnOnce() -> Student>) -> Result<(), NoWindow> {
+pub fn open(
+    mut app: App,
+    size: (usize, usize),
+    student: Option<impl FnOnce() -> Student>,
+) -> Result<(), NoWindow> {
     let options = WindowOptions { resize: true, ..WindowOptions::default() };
-    let mut window = Window::new(&app.window_title(), size.0, size.1, options).map_err(|error| NoWindow {
-        why: error.to_string(),
-    })?;
+    let mut window = Window::new(&app.window_title(), size.0, size.1, options)
+        .map_err(|error| NoWindow { why: error.to_string() })?;
     window.set_target_fps(PICTURES_PER_SECOND);
     let (sender, keys) = mpsc::channel();
     window.set_input_callback(Box::new(KeyEvents(sender)));
@@ -35,6 +38,7 @@ pub fn open(mut app: App, size: (usize, usize), student: Option<impl FnOnce() ->
     let mut painter = Painter::new();
     let mut canvas = Canvas::new(size.0, size.1);
     let mut drawn = None;
+    let mut told = false;
     let mut title = String::new();
     let mut last = Instant::now();
     while window.is_open() {
@@ -47,6 +51,11 @@ pub fn open(mut app: App, size: (usize, usize), student: Option<impl FnOnce() ->
             student.update(app.frame());
         }
         let status = student.as_ref().map(|student| student.status(app.frame()));
+        if let Some(Status::Failed(trouble)) = &status
+            && !std::mem::replace(&mut told, true)
+        {
+            eprintln!("{}", trouble.headline);
+        }
         let shown = shown(&student, &status, app.frame());
         app.meet(shown, canvas.size());
 
@@ -119,7 +128,8 @@ impl Input {
         if let Some((_, notches)) = window.get_scroll_wheel() {
             app.wheel(notches);
         }
-        let mouse = window.get_mouse_pos(MouseMode::Pass).filter(|_| window.get_mouse_down(MouseButton::Left));
+        let mouse =
+            window.get_mouse_pos(MouseMode::Pass).filter(|_| window.get_mouse_down(MouseButton::Left));
         if let (Some(before), Some(now)) = (self.grabbed, mouse)
             && before != now
         {
@@ -148,7 +158,8 @@ impl std::error::Error for NoWindow {}
 
 fn advice() -> String {
     if !cfg!(all(unix, not(target_os = "macos"))) {
-        return "For a window, run this in a session with a desktop, not in a remote shell or a service.".into();
+        return "For a window, run this in a session with a desktop, not in a remote shell or a service."
+            .into();
     }
     let display = match std::env::var_os("DISPLAY") {
         None => "- DISPLAY is not set. In a desktop's own terminal it is; over ssh, use ssh -X.\n".to_owned(),

@@ -54,8 +54,14 @@ fn run(mut command: Command) -> Result<WorkerProcess, Trouble> {
     let first_error = errors.join().unwrap_or_default();
 
     match (status, executable) {
-        (Ok(status), Some(executable)) if status.success() => Ok(WorkerProcess::new(Command::new(executable))),
-        _ => Err(Trouble { headline: "your code does not compile".into(), details: first_error }),
+        (Ok(status), Some(executable)) if status.success() => {
+            Ok(WorkerProcess::new(Command::new(executable)))
+        }
+        _ => {
+            let details =
+                first_error.into_iter().chain(["The compiler's own words are in the terminal.".into()]);
+            Err(Trouble { headline: "your code does not compile".into(), details: details.collect() })
+        }
     }
 }
 
@@ -130,7 +136,7 @@ mod tests {
         let folder = package("fn main() {\n    let x: u8 = \"text\";\n}\n");
         let trouble = compile_alone(folder.path()).err().unwrap();
         assert_eq!(trouble.headline, "your code does not compile");
-        assert_eq!(trouble.details, ["error[E0308]: mismatched types", "worker.rs:2:17"]);
+        assert_eq!(trouble.details[..2], ["error[E0308]: mismatched types", "worker.rs:2:17"]);
     }
 
     #[test]

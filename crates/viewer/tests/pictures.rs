@@ -56,7 +56,8 @@ fn every_picture_is_up_to_date() {
 
 #[test]
 fn there_are_no_other_pictures() {
-    let files = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let files =
+        std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let expected: BTreeSet<String> = PICTURES.iter().map(|picture| format!("{}.png", picture.name)).collect();
     assert_eq!(files.collect::<BTreeSet<_>>(), expected);
 }

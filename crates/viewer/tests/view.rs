@@ -12,7 +12,10 @@ use viewer::stage::Stage;
 
 fn view(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_view"));
-    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env("CARGO_MANIFEST_DIR", env!("CARGO_MANIFEST_DIR"));
+    command
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .env("CARGO_MANIFEST_DIR", env!("CARGO_MANIFEST_DIR"));
     command.args(arguments).output().unwrap()
 }
 
@@ -71,7 +74,8 @@ mod png_file {
     fn a_picture_has_its_size_and_purple_squares_where_the_joints_are() {
         let folder = tempfile::Builder::new().prefix("with blank ").tempdir().unwrap();
         let path = folder.path().join("picture.png");
-        let arguments = ["--solution", "--png", path.to_str().unwrap(), "--frame", "300", "--size", "800x600"];
+        let arguments =
+            ["--solution", "--png", path.to_str().unwrap(), "--frame", "300", "--size", "800x600"];
         let output = view(&arguments);
         assert!(output.status.success(), "{}", stderr(&output));
         let (width, height, pixels) = read_png(&path);
@@ -196,9 +200,13 @@ mod odd_files {
     fn odd_skeletons_make_pictures() {
         let folder = tempfile::tempdir().unwrap();
         let joint = |indent: usize, name: &str, inner: &str| {
-            format!("{:indent$}JOINT {name}\n{{\nOFFSET 0 1 0.1\nCHANNELS 3 Zrotation Xrotation Yrotation\n{inner}}}\n", "")
+            format!(
+                "{:indent$}JOINT {name}\n{{\nOFFSET 0 1 0.1\nCHANNELS 3 Zrotation Xrotation Yrotation\n{inner}}}\n",
+                ""
+            )
         };
-        let many = (0..172).fold("End Site\n{\nOFFSET 0 1 0\n}\n".to_owned(), |inner, i| joint(1, &format!("j{i}"), &inner));
+        let many = (0..172)
+            .fold("End Site\n{\nOFFSET 0 1 0\n}\n".to_owned(), |inner, i| joint(1, &format!("j{i}"), &inner));
         let tip = "End Site\n{\nOFFSET 0 1 0\n}\n".to_owned();
         let files = [
             ("two joints", joint(1, "tip", ""), 1),
@@ -211,7 +219,8 @@ mod odd_files {
             let head = "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
             let channels = 3 + 3 * (1 + inner.matches("JOINT").count());
             let row = vec!["1"; channels].join(" ") + "\n";
-            let text = format!("{head}{inner}}}\nMOTION\nFrames: {frames}\nFrame Time: 0.1\n{}", row.repeat(frames));
+            let text =
+                format!("{head}{inner}}}\nMOTION\nFrames: {frames}\nFrame Time: 0.1\n{}", row.repeat(frames));
             let path = folder.path().join(format!("{name}.bvh"));
             fs::write(&path, text).unwrap();
             let picture = folder.path().join(format!("{name}.png"));

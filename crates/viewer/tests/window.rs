@@ -78,7 +78,8 @@ impl Viewer<'_> {
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
-        let search = || display.xdotool(&["search", "--name", "running.bvh"]).filter(|found| !found.is_empty());
+        let search =
+            || display.xdotool(&["search", "--name", "running.bvh"]).filter(|found| !found.is_empty());
         let window = wait_for("the window", search).lines().next().unwrap().to_owned();
         display.xdotool(&["windowfocus", "--sync", &window]);
         Viewer { display, process, window }

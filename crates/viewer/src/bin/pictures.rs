@@ -24,7 +24,8 @@ fn make() -> Result<(), String> {
     std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     for made in PICTURES {
         let name = format!("{}.png", made.name);
-        picture::save(&made.draw(&mut studio), &folder.join(&name)).map_err(|error| format!("{name}: {error}"))?;
+        picture::save(&made.draw(&mut studio), &folder.join(&name))
+            .map_err(|error| format!("{name}: {error}"))?;
         println!("docs/src/pictures/{name}");
     }
     Ok(())

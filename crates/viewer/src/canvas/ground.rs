@@ -51,8 +51,9 @@ impl Canvas {
                 GridLines::new(view.eye.x, depth * start.x, along.x, across.x, ground.cell),
                 GridLines::new(view.eye.z, depth * start.z, along.z, across.z, ground.cell),
             ];
-            for (x, pixel) in row.iter_mut().enumerate() {
-                let [(weak_x, strong_x), (weak_z, strong_z)] = lines.map(|lines| lines.coverage(x as f32));
+            for (x, pixel) in (0i32..).zip(row) {
+                let [(weak_x, strong_x), (weak_z, strong_z)] =
+                    [lines[0].coverage(x as f32), lines[1].coverage(x as f32)];
                 let color = plane.mix(line, weak_x.max(weak_z)).mix(strong_line, strong_x.max(strong_z));
                 *pixel = color.0;
             }
@@ -65,35 +66,69 @@ impl Canvas {
 struct GridLines {
     start: f32,
     step: f32,
-    /// How much of the axis one pixel covers.
-    footprint: f32,
+    weak: LineShade,
+    strong: LineShade,
 }
 
 impl GridLines {
     fn new(eye: f32, start: f32, step: f32, across: f32, cell: f32) -> GridLines {
         // In double precision and within one strong square: the eye may be far from the origin.
         let start = ((f64::from(eye) + f64::from(start)) / f64::from(cell)).rem_euclid(f64::from(STRONG));
-        let footprint = ((step.abs() + across.abs()) / cell).max(1e-4);
-        GridLines { start: start as f32, step: step / cell, footprint }
+        // How much of the axis one pixel covers.
+        let footprint = (step.abs() + across.abs()) / cell;
+        GridLines {
+            start: start as f32,
+            step: step / cell,
+            weak: LineShade::new(footprint, LINE_WIDTH),
+            strong: LineShade::new(footprint / STRONG, STRONG_LINE_WIDTH / STRONG),
+        }
     }
 
     /// The share of pixel `x` that weak and strong lines cover, 0 to 1 each.
     fn coverage(&self, x: f32) -> (f32, f32) {
         let at = self.start + self.step * x;
-        let weak = line_coverage(at, self.footprint, LINE_WIDTH);
-        let strong = line_coverage(at / STRONG, self.footprint / STRONG, STRONG_LINE_WIDTH / STRONG);
-        (weak, strong)
+        (self.weak.at(at), self.strong.at(at * (1.0 / STRONG)))
     }
 }
 
-/// How much of a pixel that covers `footprint` around `at` is covered by lines of this width at all whole numbers.
-fn line_coverage(at: f32, footprint: f32, width: f32) -> f32 {
-    let away = (at - at.round()).abs();
-    let overlap = (0.5 * (width + footprint) - away) / footprint;
-    let one_line = overlap.clamp(0.0, (width / footprint).min(1.0));
-    // Where a pixel covers a whole cell, lines can no longer be told apart: only their average shade is left.
-    let blur = (2.0 * footprint - 0.6).clamp(0.0, 1.0);
-    one_line + (width - one_line) * blur
+/// How much of a pixel is covered by lines at all whole numbers. What is the same along a row is calculated once:
+/// this is done for every pixel of the ground.
+#[derive(Clone, Copy)]
+struct LineShade {
+    per_length: f32,
+    middle: f32,
+    most: f32,
+    sharp: f32,
+    blurred: f32,
+}
+
+impl LineShade {
+    /// For pixels that cover `footprint`, and lines of this width.
+    fn new(footprint: f32, width: f32) -> LineShade {
+        let footprint = footprint.max(1e-4);
+        // Where a pixel covers a whole cell, lines can no longer be told apart: only their average shade is left.
+        let blur = (2.0 * footprint - 0.6).clamp(0.0, 1.0);
+        LineShade {
+            per_length: 1.0 / footprint,
+            middle: 0.5 * (width + footprint) / footprint,
+            most: (width / footprint).min(1.0),
+            sharp: 1.0 - blur,
+            blurred: blur * width,
+        }
+    }
+
+    fn at(&self, at: f32) -> f32 {
+        let away = (at - nearest_whole(at)).abs();
+        let one_line = (self.middle - away * self.per_length).max(0.0).min(self.most);
+        one_line * self.sharp + self.blurred
+    }
+}
+
+/// The nearest whole number, for numbers below four million: beside 1.5 · 2²³ a float has no room for fractions.
+/// `f32::round` is a call into a library on many machines.
+fn nearest_whole(number: f32) -> f32 {
+    const NO_FRACTIONS: f32 = 12_582_912.0;
+    (number + NO_FRACTIONS) - NO_FRACTIONS
 }
 
 #[cfg(test)]
@@ -113,7 +148,8 @@ mod tests {
     #[test]
     fn the_average_shade_of_the_lines_is_their_share_of_the_ground() {
         for footprint in [0.01, 0.1, 0.3, 0.7, 3.0] {
-            let samples = (0..10_000).map(|i| line_coverage(i as f32 * 1e-3, footprint, 0.05));
+            let shade = LineShade::new(footprint, 0.05);
+            let samples = (0..10_000).map(|i| shade.at(i as f32 * 1e-3));
             let average: f32 = samples.sum::<f32>() / 10_000.0;
             assert!((average - 0.05).abs() < 0.003, "{average} with a footprint of {footprint}");
         }

@@ -70,7 +70,9 @@ impl Canvas {
         if first > last || !numbers.iter().all(|number| number.is_finite()) {
             return None;
         }
-        let between = |start: f32, end: f32, share: f64| (f64::from(start) * (1.0 - share) + f64::from(end) * share) as f32;
+        let between = |start: f32, end: f32, share: f64| {
+            (f64::from(start) * (1.0 - share) + f64::from(end) * share) as f32
+        };
         let at = |share: f64| Spot {
             x: between(from.x, to.x, share),
             y: between(from.y, to.y, share),

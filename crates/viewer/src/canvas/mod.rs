@@ -31,7 +31,7 @@ impl Color {
     /// This colour with `share` (0 to 1) of `other` in it.
     pub fn mix(self, other: Color, share: f32) -> Color {
         // In 256ths; red and blue are calculated at once, 16 bits apart.
-        let share = (share.clamp(0.0, 1.0) * 256.0) as u32;
+        let share = (share.clamp(0.0, 1.0) * 256.0) as i32 as u32;
         let rest = 256 - share;
         let red_blue = ((self.0 & 0xFF_00_FF) * rest + (other.0 & 0xFF_00_FF) * share) >> 8;
         let green = ((self.0 & 0x00_FF_00) * rest + (other.0 & 0x00_FF_00) * share) >> 8;
@@ -88,7 +88,13 @@ impl Canvas {
 
     /// Lays a rectangle of `color` over everything; `opacity` 1 hides what was there. Corners in pixels; what lies
     /// outside of the picture is left out.
-    pub fn rectangle(&mut self, (left, top): (i32, i32), (width, height): (i32, i32), color: Color, opacity: f32) {
+    pub fn rectangle(
+        &mut self,
+        (left, top): (i32, i32),
+        (width, height): (i32, i32),
+        color: Color,
+        opacity: f32,
+    ) {
         let clip = |at: i32, length: usize| at.clamp(0, length as i32) as usize;
         let columns = clip(left, self.width)..clip(left.saturating_add(width.max(0)), self.width);
         for y in clip(top, self.height)..clip(top.saturating_add(height.max(0)), self.height) {

@@ -190,7 +190,9 @@ mod tests {
     fn a_letter_stands_on_its_baseline() {
         let mut canvas = Canvas::new(30, 30);
         canvas.text(&mut Typeface::new(), "H", (5, 20), 16, Weight::Regular, Color::WHITE);
-        let rows = (0..30).filter(|y| (0..30).any(|x| canvas.pixel(x, *y) != Some(Color::BLACK))).collect::<Vec<_>>();
+        let rows = (0..30)
+            .filter(|y| (0..30).any(|x| canvas.pixel(x, *y) != Some(Color::BLACK)))
+            .collect::<Vec<_>>();
         assert_eq!(rows.last(), Some(&19));
         assert!((11..=12).contains(&rows.len()), "{rows:?}");
     }
