@@ -28,6 +28,17 @@ pub enum Shown<'a> {
     },
 }
 
+/// What the camera does when the next scene is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Aim {
+    /// Nobody has moved it yet: it takes in the student's joints as soon as there are any.
+    Meet,
+    /// It takes in everything.
+    Everything,
+    /// It stays where it was put, beside the root.
+    Stay,
+}
+
 /// The state of the viewer.
 #[derive(Clone, Debug)]
 pub struct App {
@@ -38,8 +49,7 @@ pub struct App {
     camera: Camera,
     /// From the followed point to the camera's target.
     offset: Vec3,
-    /// Nobody has moved the camera yet, so that it may still choose its place.
-    untouched: bool,
+    aim: Aim,
     ghost: bool,
     axes: bool,
     help: bool,
@@ -50,16 +60,14 @@ impl App {
     pub fn new(stage: Arc<Stage>, title: String, warnings: Vec<String>, size: (usize, usize)) -> App {
         let anchor = stage.anchor(0);
         let camera = stage.camera(anchor, &[], size);
-        let player = Player::new(stage.frame_count(), stage.motion().playable_frame_time());
-        let offset = camera.target - anchor;
         App {
+            player: Player::new(stage.frame_count(), stage.motion().playable_frame_time()),
+            offset: camera.target - anchor,
+            camera,
             stage,
             title,
             warnings,
-            player,
-            camera,
-            offset,
-            untouched: true,
+            aim: Aim::Meet,
             ghost: true,
             axes: true,
             help: false,
@@ -87,13 +95,13 @@ impl App {
     }
 
     /// Does what a key asks for. [`Action::Quit`] is up to the window.
-    pub fn act(&mut self, action: Action, shown: Shown, size: (usize, usize)) {
+    pub fn act(&mut self, action: Action) {
         match action {
             Action::Next => self.player.next(),
             Action::Previous => self.player.previous(),
             Action::First => self.player.go_to(0),
             Action::Play => self.player.toggle(),
-            Action::Frame => self.frame_everything(shown, size),
+            Action::Frame => self.aim = Aim::Everything,
             Action::Ghost => self.ghost = !self.ghost,
             Action::Axes => self.axes = !self.axes,
             Action::Help => self.help = !self.help,
@@ -103,38 +111,37 @@ impl App {
 
     /// The mouse was dragged by this many pixels.
     pub fn drag(&mut self, right: f32, down: f32) {
-        self.untouched = false;
+        self.aim = Aim::Stay;
         self.camera.orbit(-0.008 * right, 0.008 * down);
     }
 
     /// The wheel was turned by this many notches, away from the user.
     pub fn wheel(&mut self, notches: f32) {
-        self.untouched = false;
+        self.aim = Aim::Stay;
         self.camera.zoom(0.88f32.powf(notches.clamp(-20.0, 20.0)));
     }
 
-    /// Takes the student's joints into the picture when they are first known, unless somebody has moved the camera.
-    pub fn meet(&mut self, shown: Shown, size: (usize, usize)) {
-        if let (true, Some(pose)) = (self.untouched, student_pose(shown)) {
-            let anchor = self.stage.anchor(self.frame());
-            self.camera = self.stage.camera(anchor, &places(pose), size);
-            self.offset = self.camera.target - anchor;
-            self.untouched = false;
+    /// Moves the camera, if there is a reason to: see [`Aim`].
+    fn aim(&mut self, reference: &Pose, shown: Shown, size: (usize, usize)) {
+        let anchor = self.stage.anchor(self.frame());
+        match (self.aim, student_pose(shown)) {
+            (Aim::Stay, _) | (Aim::Meet, None) => return,
+            (Aim::Meet, Some(pose)) => self.camera = self.stage.camera(anchor, &places(pose), size),
+            (Aim::Everything, pose) => {
+                let mut points = places(reference);
+                points.extend(pose.map(places).unwrap_or_default());
+                self.camera.frame(&points, size, MARGIN, 0.5 * self.stage.size());
+            }
         }
-    }
-
-    fn frame_everything(&mut self, shown: Shown, size: (usize, usize)) {
-        self.untouched = false;
-        let mut points = places(&self.stage.reference(self.frame()));
-        points.extend(student_pose(shown).map(places).unwrap_or_default());
-        self.camera.frame(&points, size, MARGIN, 0.5 * self.stage.size());
-        self.offset = self.camera.target - self.stage.anchor(self.frame());
+        self.offset = self.camera.target - anchor;
+        self.aim = Aim::Stay;
     }
 
     /// What is to be seen now in a picture of `size` pixels.
-    pub fn scene(&self, shown: Shown, size: (usize, usize)) -> Scene {
+    pub fn scene(&mut self, shown: Shown, size: (usize, usize)) -> Scene {
+        let reference = self.stage.reference(self.frame());
+        self.aim(&reference, shown, size);
         let stage = &self.stage;
-        let reference = stage.reference(self.frame());
         let mut camera = self.camera;
         camera.target = stage.anchor(self.frame()) + self.offset;
 
@@ -236,7 +243,7 @@ mod tests {
 
     #[test]
     fn the_solution_has_no_ghost_and_the_students_figure_has_one() {
-        let app = app(5);
+        let mut app = app(5);
         let scene = app.scene(Shown::Reference, SIZE);
         assert_eq!(scene.figures.iter().map(|figure| figure.look).collect::<Vec<_>>(), [Look::Solid]);
         let stub = stub(&app);
@@ -268,12 +275,12 @@ mod tests {
     fn joints_that_are_left_behind_are_told_and_f_brings_them_back() {
         let mut app = app(900);
         let first = stub(&app);
-        app.meet(Shown::Student { posed: Some(&first), status: &Status::Answered }, SIZE);
+        app.scene(Shown::Student { posed: Some(&first), status: &Status::Answered }, SIZE);
         app.go_to(899);
         let stub = stub(&app);
         let shown = Shown::Student { posed: Some(&stub), status: &Status::Answered };
         assert!(words(&app.scene(shown, SIZE)).contains("4 of your 5 joints are outside"));
-        app.act(Action::Frame, shown, SIZE);
+        app.act(Action::Frame);
         assert!(!words(&app.scene(shown, SIZE)).contains("outside"));
     }
 
@@ -284,7 +291,6 @@ mod tests {
         let camera = app.scene(Shown::Reference, SIZE).camera;
         let stub = stub(&app);
         let shown = Shown::Student { posed: Some(&stub), status: &Status::Answered };
-        app.meet(shown, SIZE);
         assert_eq!(app.scene(shown, SIZE).camera, camera);
         app.wheel(3.0);
         assert!(app.scene(shown, SIZE).camera.distance < camera.distance);
@@ -293,10 +299,10 @@ mod tests {
     #[test]
     fn the_words_say_where_we_are_and_what_is_wrong() {
         let mut app = app(5);
-        app.act(Action::Next, Shown::Reference, SIZE);
+        app.act(Action::Next);
         assert_eq!(app.window_title(), "walk.bvh · frame 1 / 5");
         assert!(words(&app.scene(Shown::Reference, SIZE)).contains("frame 1 / 5"));
-        app.act(Action::Help, Shown::Reference, SIZE);
+        app.act(Action::Help);
         let help = words(&app.scene(Shown::Reference, SIZE));
         for binding in crate::keys::BINDINGS {
             assert!(help.contains(binding.help), "{}", binding.help);

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::{Parser, ValueEnum};
+use exam::fk::PosedFrame;
 use parser::bvh;
 use skeleton::PositionChannels;
 
@@ -15,6 +16,7 @@ use crate::canvas::{Canvas, MAX_SIDE};
 use crate::draw::Painter;
 use crate::stage::Stage;
 use crate::student::{self, Status, Student};
+use crate::worker::Trouble;
 use crate::{keys, picture, print, window, worker};
 
 /// Shows a motion moved by YOUR functions in exercises/fk/src/fk.rs, with the right answer beside it as a ghost.
@@ -115,29 +117,34 @@ fn write_picture(
     let mut app = App::new(stage.clone(), title, warnings, arguments.size);
     app.go_to(frame);
 
+    let answer = match arguments.solution {
+        true => None,
+        false => Some(ask_student(&stage, frame)),
+    };
+    let status = match &answer {
+        Some(Err(trouble)) => Status::Failed(trouble.clone()),
+        _ => Status::Answered,
+    };
+    let shown = match &answer {
+        None => Shown::Reference,
+        Some(answer) => Shown::Student { posed: answer.as_ref().ok(), status: &status },
+    };
     let mut canvas = Canvas::new(arguments.size.0, arguments.size.1);
-    let mut draw =
-        |app: &App, shown: Shown| Painter::new().draw(&app.scene(shown, canvas.size()), &mut canvas);
-    if arguments.solution {
-        draw(&app, Shown::Reference);
-    } else {
-        let answer = worker::compile(&workspace()).and_then(|mut worker| {
-            let posed = student::ask(&mut worker, &stage, frame..frame + 1)?;
-            Ok(posed)
-        });
-        let status =
-            answer.as_ref().err().map_or(Status::Answered, |trouble| Status::Failed(trouble.clone()));
-        let posed = answer.iter().flatten().next();
-        let shown = Shown::Student { posed, status: &status };
-        app.meet(shown, arguments.size);
-        draw(&app, shown);
-        if let Status::Failed(trouble) = &status {
-            eprintln!("{}: the picture shows only the goal", trouble.headline);
-        }
+    Painter::new().draw(&app.scene(shown, canvas.size()), &mut canvas);
+    if let Status::Failed(trouble) = &status {
+        eprintln!("{}: the picture shows only the goal", trouble.headline);
     }
     picture::save(&canvas, path).map_err(|error| format!("{}: {error}", path.display()))?;
     say(&format!("{}: frame {frame}, {} x {} pixels\n", path.display(), canvas.size().0, canvas.size().1));
     Ok(())
+}
+
+/// What the student's functions make of one frame. Waits for it.
+fn ask_student(stage: &Stage, frame: usize) -> Result<PosedFrame, Trouble> {
+    let mut worker = worker::compile(&workspace())?;
+    let mut answer = student::ask(&mut worker, stage, frame..frame + 1)?;
+    // One frame was asked for, and one came: `ask` sees to that.
+    Ok(answer.swap_remove(0))
 }
 
 /// Writes to the standard output. Whoever reads there may have gone, as `head` does; that is no reason to fail.

@@ -76,7 +76,6 @@ impl Studio {
         let leftover = pose_frame(skeleton, &self.stage.frame(frame), &functions, &mut pose);
         let posed = PosedFrame { pose, taken: leftover.taken, available: leftover.available };
         let shown = Shown::Student { posed: Some(&posed), status: &Status::Answered };
-        app.meet(shown, SIZE);
         self.draw(&app.scene(shown, SIZE), SIZE)
     }
 

@@ -103,12 +103,10 @@ impl Student {
         }
     }
 
-    /// Takes the answers that have come, and asks for what will be needed around `frame`. Gives whether anything is
-    /// new.
-    pub fn update(&mut self, frame: usize) -> bool {
-        let mut news = false;
+    /// Takes the answers that have come, asks for what will be needed around `frame`, and gives how things stand
+    /// for it.
+    pub fn update(&mut self, frame: usize) -> Status {
         while let Ok(event) = self.events.try_recv() {
-            news = true;
             match event {
                 Event::Ready => self.ready = true,
                 Event::Failed(trouble) => self.trouble = Some(trouble),
@@ -126,7 +124,7 @@ impl Student {
                 let _ = requests.send(batch);
             }
         }
-        news
+        self.status(frame)
     }
 
     /// What the functions made of `frame`, if they have answered.
@@ -134,8 +132,7 @@ impl Student {
         self.batches.get(&(frame / self.batch_size))?.get(frame % self.batch_size)
     }
 
-    /// How things stand for `frame`.
-    pub fn status(&self, frame: usize) -> Status {
+    fn status(&self, frame: usize) -> Status {
         match &self.trouble {
             _ if self.pose(frame).is_some() => Status::Answered,
             Some(trouble) => Status::Failed(trouble.clone()),

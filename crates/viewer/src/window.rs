@@ -42,32 +42,30 @@ pub fn open(
     let mut title = String::new();
     let mut last = Instant::now();
     while window.is_open() {
-        let size = window.get_size();
-        if canvas.size() != Canvas::clamped(size) {
-            canvas = Canvas::new(size.0, size.1);
-            drawn = None;
-        }
-        if let Some(student) = &mut student {
-            student.update(app.frame());
-        }
-        let status = student.as_ref().map(|student| student.status(app.frame()));
-        if let Some(Status::Failed(trouble)) = &status
-            && !std::mem::replace(&mut told, true)
-        {
-            eprintln!("{}", trouble.headline);
-        }
-        let shown = shown(&student, &status, app.frame());
-        app.meet(shown, canvas.size());
-
-        if input.apply(&mut window, &mut app, shown, canvas.size()) {
+        if input.apply(&mut window, &mut app) {
             break;
         }
         app.advance(last.elapsed().as_secs_f64());
         last = Instant::now();
 
-        let status = student.as_ref().map(|student| student.status(app.frame()));
-        let scene = app.scene(self::shown(&student, &status, app.frame()), canvas.size());
-        if drawn.as_ref() != Some(&scene) {
+        let frame = app.frame();
+        let status = student.as_mut().map(|student| student.update(frame));
+        let shown = match (&student, &status) {
+            (Some(student), Some(status)) => Shown::Student { posed: student.pose(frame), status },
+            _ => Shown::Reference,
+        };
+        if let Some(Status::Failed(trouble)) = &status
+            && !std::mem::replace(&mut told, true)
+        {
+            eprintln!("{}", trouble.headline);
+        }
+
+        let size = Canvas::clamped(window.get_size());
+        let scene = app.scene(shown, size);
+        if canvas.size() != size || drawn.as_ref() != Some(&scene) {
+            if canvas.size() != size {
+                canvas = Canvas::new(size.0, size.1);
+            }
             painter.draw(&scene, &mut canvas);
             drawn = Some(scene);
         }
@@ -75,22 +73,13 @@ pub fn open(
             title = app.window_title();
             window.set_title(&title);
         }
-        let (width, height) = canvas.size();
-        if let Err(error) = window.update_with_buffer(canvas.pixels(), width, height) {
-            return Err(NoWindow { why: error.to_string() });
-        }
+        let presented = window.update_with_buffer(canvas.pixels(), size.0, size.1);
+        presented.map_err(|error| NoWindow { why: error.to_string() })?;
     }
     // The window goes first: the student's functions may need a moment to be stopped.
     drop(window);
     drop(student);
     Ok(())
-}
-
-fn shown<'a>(student: &'a Option<Student>, status: &'a Option<Status>, frame: usize) -> Shown<'a> {
-    match (student, status) {
-        (Some(student), Some(status)) => Shown::Student { posed: student.pose(frame), status },
-        _ => Shown::Reference,
-    }
 }
 
 /// Key events as they happen: asking for the state of the keys once per picture would miss short taps.
@@ -114,11 +103,11 @@ struct Input {
 
 impl Input {
     /// Hands on what has happened since the last picture. Gives whether the window is to be closed.
-    fn apply(&mut self, window: &mut Window, app: &mut App, shown: Shown, size: (usize, usize)) -> bool {
+    fn apply(&mut self, window: &mut Window, app: &mut App) -> bool {
         for (key, down) in self.keys.try_iter() {
             match self.keyboard.event(key, down) {
                 Some(Action::Quit) => return true,
-                Some(action) => app.act(action, shown, size),
+                Some(action) => app.act(action),
                 None => {}
             }
         }

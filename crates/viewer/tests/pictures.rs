@@ -1,4 +1,5 @@
 //! The pictures in the book are those that the viewer makes now.
+#![allow(clippy::unwrap_used)]
 
 use std::collections::BTreeSet;
 use std::fs::File;

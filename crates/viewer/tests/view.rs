@@ -1,4 +1,5 @@
 //! The command `cargo view`, from outside.
+#![allow(clippy::unwrap_used)]
 
 use std::fs;
 use std::path::{Path, PathBuf};

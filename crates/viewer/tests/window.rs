@@ -3,6 +3,7 @@
 //! These tests need Xvfb and xdotool: `cargo test -p viewer --test window -- --ignored`. Without them they fail and
 //! say what is missing.
 #![cfg(all(unix, not(target_os = "macos")))]
+#![allow(clippy::unwrap_used)]
 
 use std::io::{BufRead, BufReader, Read};
 use std::process::{Child, Command, ExitStatus, Stdio};
