@@ -28,8 +28,9 @@ fn any_number(text: &[u8]) -> Result<(f32, &[u8]), BadNumber> {
     Ok((parse(word)?, behind))
 }
 
-/// How long the word at the front of `text` is.
+/// How long the word at the front of `text` is. It is not looked at farther than needed to see that it is too long.
 pub(crate) fn word_length(text: &[u8]) -> usize {
+    let text = &text[..text.len().min(LONGEST_WORD + 1)];
     text.iter().position(|&byte| is_blank(byte)).unwrap_or(text.len())
 }
 

@@ -17,9 +17,15 @@ use crate::source::{LONGEST_WORD, Place, Source};
 /// show), and a line that says what to do.
 #[derive(Debug)]
 pub struct Error {
+    spot: Spot,
+    kind: Box<ErrorKind>,
+}
+
+/// A place in a text, and what it looks like there.
+#[derive(Debug)]
+pub(super) struct Spot {
     place: Place,
     snippet: Option<Snippet>,
-    kind: Box<ErrorKind>,
 }
 
 /// Why a file cannot be read.
@@ -158,7 +164,7 @@ pub enum ErrorKind {
     #[error(
         "too few numbers: {frames} frames × {channels} channels need {}, found {found}. {}",
         u128::from(*frames) * u128::from(*channels),
-        about_rows(*odd_line, *channels)
+        about_rows(*odd_line, *found, *channels)
     )]
     TooFewNumbers {
         /// Frames that the text declares.
@@ -175,12 +181,12 @@ pub enum ErrorKind {
 impl Error {
     /// Where: the line, from 1.
     pub fn line(&self) -> u64 {
-        self.place.line
+        self.spot.place.line
     }
 
     /// Where in the line: the character, from 1.
     pub fn column(&self) -> u64 {
-        self.place.column
+        self.spot.place.column
     }
 
     /// What is wrong.
@@ -190,7 +196,7 @@ impl Error {
 
     /// The source line, or the part of it around the place; `None` when it is empty or has been left behind.
     pub fn snippet(&self) -> Option<&Snippet> {
-        self.snippet.as_ref()
+        self.spot.snippet.as_ref()
     }
 
     /// What to do, in one or two sentences.
@@ -198,18 +204,30 @@ impl Error {
         self.kind.help()
     }
 
-    /// An error at the next word of `source`. If the text only seems to be at fault because the system could not read on,
-    /// the error says that.
+    /// An error at the next word of `source`.
     pub(super) fn here(source: &mut Source, kind: ErrorKind) -> Self {
-        let kind = source.take_failure().map_or(kind, ErrorKind::Io);
-        let place = source.place();
-        let snippet = Some(source.snippet()).filter(|snippet| !snippet.is_empty());
-        Error { place, snippet, kind: Box::new(kind) }
+        let spot = Spot::next(source);
+        Error::at(spot, source, kind)
     }
 
     /// An error in a line that has been left behind.
-    pub(super) fn in_line(line: u64, kind: ErrorKind) -> Self {
-        Error { place: Place { line, column: 1 }, snippet: None, kind: Box::new(kind) }
+    pub(super) fn in_line(line: u64, source: &mut Source, kind: ErrorKind) -> Self {
+        Error::at(Spot { place: Place { line, column: 1 }, snippet: None }, source, kind)
+    }
+
+    /// An error at a spot of `source`. If the text only seems to be at fault because the system could not read on, the error
+    /// says that.
+    pub(super) fn at(spot: Spot, source: &mut Source, kind: ErrorKind) -> Self {
+        match source.take_failure() {
+            Some(cause) => Error { spot: Spot::next(source), kind: Box::new(ErrorKind::Io(cause)) },
+            None => Error { spot, kind: Box::new(kind) },
+        }
+    }
+
+    /// The system could not read anything.
+    pub(super) fn unread(cause: io::Error) -> Self {
+        let spot = Spot { place: Place { line: 1, column: 1 }, snippet: None };
+        Error { spot, kind: Box::new(ErrorKind::Io(cause)) }
     }
 
     /// The next word of `source` is not what was `expected`.
@@ -234,6 +252,14 @@ impl Error {
             BadNumber::TooLong => ErrorKind::LongNumber { longest: LONGEST_WORD },
         };
         Error::here(source, kind)
+    }
+}
+
+impl Spot {
+    /// The next byte of `source`.
+    pub fn next(source: &mut Source) -> Self {
+        let snippet = Some(source.snippet()).filter(|snippet| !snippet.is_empty());
+        Spot { place: source.place(), snippet }
     }
 }
 
@@ -283,11 +309,12 @@ pub(super) fn is_conflict_mark(word: &[u8]) -> bool {
     matches!(word.get(..7), Some(b"<<<<<<<" | b"=======" | b">>>>>>>" | b"|||||||"))
 }
 
-fn about_rows(odd_line: Option<(u64, u64)>, channels: u64) -> String {
+fn about_rows(odd_line: Option<(u64, u64)>, found: u64, channels: u64) -> String {
     match odd_line {
         Some((line, width)) => {
             format!("Line {line} is the first that holds {width} numbers instead of {channels}")
         }
+        None if found == 0 => String::from("There are no frames at all"),
         None => format!("Every line holds {channels} numbers, as it should"),
     }
 }
@@ -316,7 +343,7 @@ impl fmt::Display for Details<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Details(error) = self;
         write!(f, "{}", error.kind)?;
-        if let Some(snippet) = &error.snippet {
+        if let Some(snippet) = error.snippet() {
             write!(f, "\n{snippet}")?;
         }
         write!(f, "\n{}", error.help())

@@ -3,6 +3,7 @@
 use glam::Vec3;
 use skeleton::{Channel, JointId, Skeleton};
 
+use super::error::Spot;
 use super::warning::warn;
 use super::{Error, ErrorKind, Warning, WarningKind};
 use crate::number;
@@ -58,7 +59,7 @@ impl Reader<'_, '_> {
         if parent.is_none() && !self.skeleton.is_empty() {
             warn(self.warnings, place, WarningKind::SeveralRoots);
         }
-        self.take("{", "{")?;
+        self.take("{", "`{`, set off by a blank")?;
         let (mut offset, mut channels) = (None, None);
         loop {
             if offset.is_none() && self.source.take_word("OFFSET") {
@@ -86,13 +87,14 @@ impl Reader<'_, '_> {
     /// Reads an End Site, the `}` included.
     fn end_site(&mut self, parent: JointId) -> Result<(), Error> {
         if !is_end_site(self.source.peek_line()) {
-            return Err(Error::unexpected(self.source, "End Site"));
+            self.source.take_word("End");
+            return Err(Error::unexpected(self.source, "`Site` behind `End`"));
         }
         let (name, place) = self.name()?;
-        self.take("{", "{")?;
+        self.take("{", "`{`, set off by a blank")?;
         self.take("OFFSET", "OFFSET and three numbers")?;
         let offset = self.vector()?;
-        self.take("}", "}: an End Site has an OFFSET and nothing else")?;
+        self.take("}", "`}`: an End Site has an OFFSET and nothing else")?;
         if self.skeleton.add_end_site(parent, name, offset).is_ok() {
             self.places.push(place);
         }
@@ -146,6 +148,7 @@ impl Reader<'_, '_> {
         let Some(declared) = super::whole_number(word) else {
             return Err(Error::unexpected(self.source, "the number of channels"));
         };
+        let spot = Spot::next(self.source);
         self.source.take(length);
         let mut channels = Vec::new();
         loop {
@@ -163,17 +166,17 @@ impl Reader<'_, '_> {
         let listed = channels.len() as u64;
         match listed == declared {
             true => Ok(channels),
-            false => Err(self.miscounted_channels(declared, listed)),
+            false => Err(self.miscounted_channels(spot, declared, listed)),
         }
     }
 
     /// The list of channels is over too soon or too late.
-    fn miscounted_channels(&mut self, declared: u64, listed: u64) -> Error {
+    fn miscounted_channels(&mut self, spot: Spot, declared: u64, listed: u64) -> Error {
         const OTHER_WORDS: [&str; 7] = ["{", "}", "JOINT", "End", "OFFSET", "CHANNELS", "MOTION"];
         let word = self.source.peek();
         let is_other = OTHER_WORDS.iter().any(|other| other.as_bytes().eq_ignore_ascii_case(word));
         if listed > declared || is_other {
-            return Error::here(self.source, ErrorKind::ChannelCount { declared, listed });
+            return Error::at(spot, self.source, ErrorKind::ChannelCount { declared, listed });
         }
         let found = printable(word);
         match Error::unexpected(self.source, "another channel") {
@@ -201,7 +204,7 @@ impl Reader<'_, '_> {
     fn not_a_part_of(&mut self, parent: JointId) -> Error {
         let closes_all = ["MOTION", "ROOT", ""].into_iter().any(|word| self.source.is_word(word));
         if !closes_all {
-            return Error::unexpected(self.source, "JOINT, End Site or }");
+            return Error::unexpected(self.source, "JOINT, End Site or `}`");
         }
         let joint = self.skeleton.label(parent);
         let line = self.places.get(parent.0).map_or(0, |place| place.line);

@@ -70,11 +70,7 @@ pub struct Reading {
 pub fn read(source: impl Read) -> Result<Reading, Error> {
     let mut source = source;
     let mut first = Vec::with_capacity(4);
-    source
-        .by_ref()
-        .take(4)
-        .read_to_end(&mut first)
-        .map_err(|cause| Error::in_line(1, ErrorKind::Io(cause)))?;
+    source.by_ref().take(4).read_to_end(&mut first).map_err(Error::unread)?;
     let (encoding, mark) = encoding::detect(&first);
     let mut text: Chain<&[u8], _> = first[mark..].chain(source);
     match encoding {

@@ -172,13 +172,13 @@ impl Numbers {
             let odd_line = self.rows.odd_line();
             let kind = ErrorKind::TooFewNumbers { frames, channels, found: self.count(), odd_line };
             return Err(match odd_line {
-                Some((line, _)) => Error::in_line(line, kind),
+                Some((line, _)) => Error::in_line(line, source, kind),
                 None => Error::here(source, kind),
             });
         }
         if let Some(place) = self.first_surplus {
             if let Some((line, width)) = self.rows.unfit_line(frames) {
-                return Err(Error::in_line(line, ErrorKind::RowWidth { width, channels }));
+                return Err(Error::in_line(line, source, ErrorKind::RowWidth { width, channels }));
             }
             warn(warnings, place, WarningKind::MoreRows { declared: frames, surplus: self.surplus });
         } else if let Some((line, width)) = self.rows.uneven_line(frames) {

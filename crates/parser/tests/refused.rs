@@ -1,0 +1,134 @@
+//! What cannot be read, and the whole message for it.
+
+mod common;
+
+use common::{GOOD, with};
+use parser::bvh::{self, ErrorKind};
+
+/// Under the title of each case its message, blank lines between.
+const EXPECTED: &str = include_str!("refused.txt");
+
+#[test]
+fn every_error_says_where_what_and_what_to_do() {
+    let mut messages = Vec::new();
+    for (title, text) in cases() {
+        match bvh::read(text.as_bytes()) {
+            Ok(reading) => panic!("{title}: was read, with {:?}", reading.warnings),
+            Err(error) => messages.push(format!("# {title}\n{error}\n")),
+        }
+    }
+    let messages = messages.join("\n");
+    let expected = EXPECTED.replace("\r\n", "\n");
+    // Line by line, so that the first difference is what is shown.
+    for (line, (message, expected)) in messages.lines().zip(expected.lines()).enumerate() {
+        assert_eq!(message, expected, "refused.txt, line {}", line + 1);
+    }
+    assert_eq!(messages, expected);
+}
+
+#[test]
+fn a_file_error_begins_with_path_line_and_column() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("my walk.bvh");
+    std::fs::write(&path, with("5", "five")).expect("a file");
+    let message = bvh::read_file(&path).expect_err("five is not a number").to_string();
+    let expected = format!("{}:15:3: `five` is not a number\n  | 4 five 6\n", path.display());
+    assert!(message.starts_with(&expected), "{message}");
+}
+
+#[test]
+fn a_missing_file_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("none.bvh");
+    let message = bvh::read_file(&path).expect_err("there is no such file").to_string();
+    assert!(message.starts_with(&format!("{}: cannot be opened: ", path.display())), "{message}");
+}
+
+#[test]
+fn a_failing_disk_is_not_mistaken_for_a_bad_text() {
+    /// Gives so much of a text, and then fails.
+    struct Failing<'a>(&'a [u8]);
+
+    impl std::io::Read for Failing<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+            match self.0.read(buffer)? {
+                0 => Err(std::io::Error::other("the disk is gone")),
+                read => Ok(read),
+            }
+        }
+    }
+
+    for length in 0..=GOOD.len() {
+        let error = bvh::read(Failing(&GOOD.as_bytes()[..length])).expect_err("the disk is gone");
+        assert!(matches!(error.kind(), ErrorKind::Io(_)), "after {length} bytes: {error}");
+    }
+}
+
+/// What is wrong, and the text.
+fn cases() -> Vec<(&'static str, String)> {
+    vec![
+        ("an empty file", "".to_owned()),
+        ("a file of blanks", " \n\n".to_owned()),
+        ("JSON", "{\"a\": 1}".to_owned()),
+        ("XML", "<bvh/>".to_owned()),
+        ("an Acclaim skeleton", "#!OML:ASF\n:version 1.10".to_owned()),
+        ("a picture", "\u{7f}PNG\r\n\u{1a}\n\0\0".to_owned()),
+        ("zeros", "\0\0\0\0\0\0".to_owned()),
+        ("prose", "Dear Sir or Madam".to_owned()),
+        ("a conflict at the top", with("HIERARCHY\n", "<<<<<<< HEAD\nHIERARCHY\n")),
+        ("a conflict among the joints", with("\tEnd Site", "=======\n\tEnd Site")),
+        ("a conflict among the frames", with("4 5 6", "<<<<<<< HEAD\n4 5 6\n=======\n4 5 7\n>>>>>>> theirs")),
+        ("a conflict behind the frames", with("4 5 6", "4 5 6\n>>>>>>> theirs")),
+        ("no root", with("ROOT", "JOINT")),
+        ("no name", with("ROOT Hips", "ROOT")),
+        ("no opening brace", with("{\n", "")),
+        ("a brace that belongs to the name", with("Hips\n{", "Hips{")),
+        ("no offset", with("\tOFFSET 0 1 0\n", "")),
+        ("an offset of two numbers", with("0 1 0", "0 1")),
+        ("an offset of four numbers", with("0 1 0", "0 1 0 5")),
+        ("an offset with a comma", with("0 1 0", "0 1,5 0")),
+        ("an offset that is not a number", with("0 1 0", "0 nan 0")),
+        ("an unknown channel", with("Xrotation", "Wrotation")),
+        ("a repeated channel", with("Xrotation", "Zrotation")),
+        ("fewer channels than counted", with("CHANNELS 3", "CHANNELS 4")),
+        ("more channels than counted", with("CHANNELS 3", "CHANNELS 2")),
+        ("channels that are not counted", with("CHANNELS 3", "CHANNELS")),
+        ("a second offset", with("\tEnd", "\tOFFSET 1 2 3\n\tEnd")),
+        ("an End Site that is something else", with("End Site", "End Point")),
+        ("an End Site with channels", with("\t\tOFFSET 0 2 0\n", "\t\tOFFSET 0 2 0\n\t\tCHANNELS 0\n")),
+        ("a closing brace too few", with("}\nMOTION", "MOTION")),
+        ("a closing brace too many", with("}\nMOTION", "}\n}\nMOTION")),
+        ("a root in a joint", with("\tEnd Site", "ROOT Other")),
+        ("only joints", GOOD[..GOOD.find("MOTION").unwrap_or(0)].to_owned()),
+        ("no count of frames", with("Frames: 2\n", "")),
+        ("a negative count of frames", with("Frames: 2", "Frames: -1")),
+        ("half a frame", with("Frames: 2", "Frames: 1.5")),
+        ("no frame time", with("Frame Time: 0.04\n", "")),
+        ("a word for a frame time", with("0.04", "fast")),
+        ("an endless frame time", with("0.04", "inf")),
+        ("a last frame that is cut off", with("4 5 6", "4 5")),
+        ("a frame too few", with("4 5 6\n", "")),
+        ("no frames", with("1 2 3\n4 5 6\n", "")),
+        ("a count of frames that no memory could hold", with("Frames: 2", "Frames: 999999999999")),
+        ("a frame too few in one line", with("1 2 3\n4 5 6", "1 2 3 4 5")),
+        ("rows of another skeleton", with("1 2 3\n4 5 6", "1 2 3 4\n5 6 7 8")),
+        ("rows of twice the width", with("1 2 3\n4 5 6", "1 2 3 4 5 6\n1 2 3 4 5 6")),
+        ("one row that is too wide", with("4 5 6", "4 5 6 7")),
+        ("a row in the middle that is too wide", with("1 2 3\n4 5 6", "1 2 3 0\n4 5 6\n7 8 9")),
+        ("a word for a number", with("5", "five")),
+        ("a comma in the frames", with("4 5 6", "4,0 5,5 6,1")),
+        ("frames separated by commas", with("4 5 6", "4,5,6")),
+        ("NaN", with("5", "NaN")),
+        ("NaN as C programs print it", with("5", "-1.#IND")),
+        ("a number that is too large", with("5", "1e39")),
+        ("what would upset a terminal", with("5", "\u{1b}[31m\u{202e}5")),
+        (
+            "a place far along a line",
+            with("Frames: 2", "Frames: 200")
+                .replace("1 2 3", &format!("{} x {}", "1 ".repeat(300), "2 ".repeat(300))),
+        ),
+        ("a place behind letters of two bytes", with("Hips", "Hüfte { OFSET")),
+        ("a name without an end", with("Hips", &"x".repeat(5000))),
+        ("a number without an end", with("5", &"5".repeat(5000))),
+    ]
+}
