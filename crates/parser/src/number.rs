@@ -47,79 +47,64 @@ pub(crate) fn parse<F: fast_float2::FastFloat + Into<f64>>(word: &[u8]) -> Resul
     }
 }
 
-/// Reads a number such as `-12.345`, `7` or `1.2e-006`, with at most 15 digits. `None` for anything else: there are other
-/// ways to read it.
+/// Reads a number such as `-12.345`, `7` or `1.2e-006`, with at most seven digits on each side of the point. `None` for
+/// anything else, also near the end of the text: there are other ways to read it.
 ///
 /// The value of a decimal is its digits, read as one integer, divided by a power of ten. An exponent makes it another power.
 #[inline(always)]
 fn short_decimal(text: &[u8]) -> Option<(f32, &[u8])> {
-    let (negative, text) = match text {
-        [b'-', behind @ ..] => (true, behind),
-        _ => (false, text),
-    };
-    let mut number = 0;
-    let mut rest = take_digits(text, &mut number);
-    let mut digits = text.len() - rest.len();
-    let mut decimals = 0;
+    let negative = text.first() == Some(&b'-');
+    let text = &text[usize::from(negative)..];
+    let (whole, whole_digits) = few_digits(text, 0)?;
+    let (mut number, mut decimals, mut rest) = (whole, 0, &text[whole_digits..]);
     if let [b'.', behind @ ..] = rest {
-        rest = take_digits(behind, &mut number);
-        decimals = behind.len() - rest.len();
-        digits += decimals;
+        (number, decimals) = few_digits(behind, whole)?;
+        rest = &behind[decimals..];
+    }
+    if whole_digits + decimals == 0 {
+        return None;
     }
     if rest.first().is_some_and(|&byte| !is_blank(byte)) {
         (decimals, rest) = take_exponent(rest, decimals)?;
     }
-    if digits == 0 || digits > 15 {
-        return None;
-    }
     let magnitude = quotient(number, decimals)?;
-    Some((if negative { -magnitude } else { magnitude }, rest))
+    // The sign is put in as a bit, because nobody can foresee which way a branch would go.
+    Some((f32::from_bits(magnitude.to_bits() | u32::from(negative) << 31), rest))
 }
 
-/// Appends the digits at the front of `text` to `number`, which 15 of them cannot overflow. Gives the text behind them.
+/// Appends the digits at the front of `text` to `number`. Gives the result, and how many digits there are; `None` if they are
+/// more than seven, or the text is so short that they could be more.
 #[inline(always)]
-fn take_digits<'a>(text: &'a [u8], number: &mut u64) -> &'a [u8] {
-    if let Some(chunk) = text.first_chunk::<8>() {
-        for (count, byte) in chunk.iter().enumerate() {
-            let digit = byte.wrapping_sub(b'0');
-            if digit > 9 {
-                return &text[count..];
-            }
-            *number = number.wrapping_mul(10).wrapping_add(u64::from(digit));
+fn few_digits(text: &[u8], mut number: u64) -> Option<(u64, usize)> {
+    // A loop over so many bytes is unrolled, and there is no end of the text to look out for.
+    for (count, byte) in text.first_chunk::<8>()?.iter().enumerate() {
+        let digit = byte.wrapping_sub(b'0');
+        if digit > 9 {
+            return Some((number, count));
         }
-        return take_digits_slow(&text[8..], number);
+        number = 10 * number + u64::from(digit);
     }
-    take_digits_slow(text, number)
+    None
 }
 
-#[inline(never)]
-fn take_digits_slow<'a>(mut text: &'a [u8], number: &mut u64) -> &'a [u8] {
-    while let [digit @ b'0'..=b'9', behind @ ..] = text {
-        *number = number.wrapping_mul(10).wrapping_add(u64::from(digit - b'0'));
-        text = behind;
-    }
-    text
-}
-
-/// Takes the exponent at the front of `text` out of the number of decimals. Gives what is left of them, unless that is less
-/// than none, and the text behind the exponent.
+/// Takes the exponent at the front of `text`, and what must be the end of the word behind it, out of the number of decimals.
+/// Gives what is left of them, unless that is less than none, and the text behind the exponent.
 #[inline]
 fn take_exponent(text: &[u8], decimals: usize) -> Option<(usize, &[u8])> {
+    let [b'e' | b'E', text @ ..] = text else { return None };
     let (negative, text) = match text {
-        [b'e' | b'E', b'-', behind @ ..] => (true, behind),
-        [b'e' | b'E', b'+', behind @ ..] => (false, behind),
-        [b'e' | b'E', behind @ ..] => (false, behind),
-        _ => return None,
+        [b'-', behind @ ..] => (true, behind),
+        [b'+', behind @ ..] => (false, behind),
+        _ => (false, text),
     };
-    let mut exponent = 0;
-    let rest = take_digits(text, &mut exponent);
-    let exponent =
-        usize::try_from(exponent).ok().filter(|_| (1..=15).contains(&(text.len() - rest.len())))?;
-    if rest.first().is_some_and(|&byte| !is_blank(byte)) {
+    let (exponent, digits) = few_digits(text, 0)?;
+    let behind = &text[digits..];
+    if digits == 0 || !behind.first().is_none_or(|&byte| is_blank(byte)) {
         return None;
     }
+    let exponent = exponent as usize;
     let left = if negative { decimals.checked_add(exponent) } else { decimals.checked_sub(exponent) };
-    Some((left?, rest))
+    Some((left?, behind))
 }
 
 /// `number` / 10^`decimals`, rounded to the nearest `f32`, for a number below 2^53 and up to 12 decimals.

@@ -134,8 +134,7 @@ impl Numbers {
                         } else {
                             self.count_surplus(text, text.len() - rest.len(), lines);
                         }
-                        // Nearly always one space follows, and then the next number.
-                        rest = behind.strip_prefix(b" ").unwrap_or(behind);
+                        rest = behind;
                     }
                     Err(problem) => break Err((problem, rest[..number::word_length(rest)].to_vec())),
                 },
