@@ -34,8 +34,14 @@ pub(crate) fn word_length(text: &[u8]) -> usize {
     text.iter().position(|&byte| is_blank(byte)).unwrap_or(text.len())
 }
 
-/// Reads a whole word, as an `f32` or as an `f64`.
-pub(crate) fn parse<F: fast_float2::FastFloat + Into<f64>>(word: &[u8]) -> Result<F, BadNumber> {
+/// `f32` and `f64`.
+pub(crate) trait Float: fast_float2::FastFloat + Into<f64> {}
+
+impl Float for f32 {}
+impl Float for f64 {}
+
+/// Reads a whole word.
+pub(crate) fn parse<F: Float>(word: &[u8]) -> Result<F, BadNumber> {
     if word.len() > LONGEST_WORD {
         return Err(BadNumber::TooLong);
     }
@@ -68,7 +74,7 @@ fn short_decimal(text: &[u8]) -> Option<(f32, &[u8])> {
         (decimals, rest) = take_exponent(rest, decimals)?;
     }
     let magnitude = quotient(number, decimals)?;
-    // The sign is put in as a bit, because nobody can foresee which way a branch would go.
+    // The sign is put in as a bit: a branch would go now this way and now that, which is slow.
     Some((f32::from_bits(magnitude.to_bits() | u32::from(negative) << 31), rest))
 }
 

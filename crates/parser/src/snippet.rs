@@ -32,7 +32,7 @@ impl Snippet {
     }
 
     /// Whether there is nothing to show: the line is empty.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.text.is_empty()
     }
 

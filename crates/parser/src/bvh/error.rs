@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::PathBuf;
 
-use skeleton::Channel;
+use skeleton::{Channel, MotionError, SkeletonError};
 
 use crate::Snippet;
 use crate::number::BadNumber;
@@ -152,6 +152,12 @@ pub enum ErrorKind {
         /// The longest that is read.
         longest: usize,
     },
+    /// The skeleton does not take a joint.
+    #[error("{0}")]
+    Skeleton(#[source] SkeletonError),
+    /// The numbers do not make whole frames.
+    #[error("{0}")]
+    Motion(#[source] MotionError),
     /// The rows hold other numbers of values than there are channels.
     #[error("this line holds {width} numbers, but the skeleton has {channels} channels")]
     RowWidth {
@@ -294,6 +300,7 @@ impl ErrorKind {
                 "Such a number has no place in a skeleton. Put the right number there."
             }
             ErrorKind::LongNumber { .. } => "Look for a blank that is missing.",
+            ErrorKind::Skeleton(_) | ErrorKind::Motion(_) => "Look at the lines just above.",
             ErrorKind::RowWidth { .. } => {
                 "Every frame has one number for each channel. Do the CHANNELS above belong to these frames?"
             }

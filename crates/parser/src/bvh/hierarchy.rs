@@ -1,12 +1,11 @@
 //! The upper part of the text: the joints.
 
 use glam::Vec3;
-use skeleton::{Channel, JointId, Skeleton};
+use skeleton::{Channel, JointId, Skeleton, SkeletonError};
 
-use super::error::Spot;
+use super::error::{Spot, is_conflict_mark};
 use super::warning::warn;
-use super::{Error, ErrorKind, Warning, WarningKind};
-use crate::number;
+use super::{Error, ErrorKind, Warning, WarningKind, words};
 use crate::snippet::printable;
 use crate::source::{LONGEST_WORD, Place, Source, is_blank};
 
@@ -59,7 +58,7 @@ impl Reader<'_, '_> {
         if parent.is_none() && !self.skeleton.is_empty() {
             warn(self.warnings, place, WarningKind::SeveralRoots);
         }
-        self.take("{", "`{`, set off by a blank")?;
+        words::take(self.source, "{", "`{`, set off by a blank")?;
         let (mut offset, mut channels) = (None, None);
         loop {
             if offset.is_none() && self.source.take_word("OFFSET") {
@@ -77,10 +76,9 @@ impl Reader<'_, '_> {
             warn(self.warnings, place, WarningKind::NoChannels { joint: printable(name.as_bytes()) });
             Vec::new()
         });
-        if let Ok(id) = self.skeleton.add_joint(parent, name, offset, channels) {
-            self.open.push(id);
-            self.places.push(place);
-        }
+        let id = self.skeleton.add_joint(parent, name, offset, channels).map_err(|e| self.refused(e))?;
+        self.open.push(id);
+        self.places.push(place);
         Ok(())
     }
 
@@ -91,13 +89,12 @@ impl Reader<'_, '_> {
             return Err(Error::unexpected(self.source, "`Site` behind `End`"));
         }
         let (name, place) = self.name()?;
-        self.take("{", "`{`, set off by a blank")?;
-        self.take("OFFSET", "OFFSET and three numbers")?;
+        words::take(self.source, "{", "`{`, set off by a blank")?;
+        words::take(self.source, "OFFSET", "OFFSET and three numbers")?;
         let offset = self.vector()?;
-        self.take("}", "`}`: an End Site has an OFFSET and nothing else")?;
-        if self.skeleton.add_end_site(parent, name, offset).is_ok() {
-            self.places.push(place);
-        }
+        words::take(self.source, "}", "`}`: an End Site has an OFFSET and nothing else")?;
+        self.skeleton.add_end_site(parent, name, offset).map_err(|e| self.refused(e))?;
+        self.places.push(place);
         Ok(())
     }
 
@@ -123,33 +120,13 @@ impl Reader<'_, '_> {
     }
 
     fn vector(&mut self) -> Result<Vec3, Error> {
-        Ok(Vec3::new(self.number()?, self.number()?, self.number()?))
-    }
-
-    fn number(&mut self) -> Result<f32, Error> {
-        let word = self.source.peek();
-        let length = word.len();
-        match number::parse(word) {
-            Ok(number) => {
-                self.source.take(length);
-                Ok(number)
-            }
-            Err(problem) => {
-                let word = word.to_vec();
-                Err(Error::bad_number(self.source, &word, problem))
-            }
-        }
+        let mut number = || words::number(self.source);
+        Ok(Vec3::new(number()?, number()?, number()?))
     }
 
     /// Reads the number behind `CHANNELS` and as many words.
     fn channels(&mut self) -> Result<Vec<Channel>, Error> {
-        let word = self.source.peek();
-        let length = word.len();
-        let Some(declared) = super::whole_number(word) else {
-            return Err(Error::unexpected(self.source, "the number of channels"));
-        };
-        let spot = Spot::next(self.source);
-        self.source.take(length);
+        let (declared, spot) = words::count(self.source, "the number of channels")?;
         let mut channels = Vec::new();
         loop {
             let word = self.source.peek();
@@ -170,28 +147,25 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// The list of channels is over too soon or too late.
+    /// The list of channels is over, but at a word that may be meant as a channel, or not after as many as declared.
     fn miscounted_channels(&mut self, spot: Spot, declared: u64, listed: u64) -> Error {
-        const OTHER_WORDS: [&str; 7] = ["{", "}", "JOINT", "End", "OFFSET", "CHANNELS", "MOTION"];
-        let word = self.source.peek();
-        let is_other = OTHER_WORDS.iter().any(|other| other.as_bytes().eq_ignore_ascii_case(word));
-        if listed > declared || is_other {
-            return Error::at(spot, self.source, ErrorKind::ChannelCount { declared, listed });
-        }
-        let found = printable(word);
-        match Error::unexpected(self.source, "another channel") {
-            error if matches!(error.kind(), ErrorKind::Unexpected { .. }) => {
+        const OTHER_WORDS: [&str; 8] = ["{", "}", "ROOT", "JOINT", "End", "OFFSET", "CHANNELS", "MOTION"];
+        let is_other = OTHER_WORDS.into_iter().any(|word| self.source.is_word(word));
+        match self.source.peek() {
+            _ if is_other || listed > declared => {
+                Error::at(spot, self.source, ErrorKind::ChannelCount { declared, listed })
+            }
+            word if word.is_empty() || is_conflict_mark(word) => Error::unexpected(self.source, "a channel"),
+            word => {
+                let found = printable(word);
                 Error::here(self.source, ErrorKind::UnknownChannel { found })
             }
-            error => error,
         }
     }
 
-    fn take(&mut self, word: &str, expected: &'static str) -> Result<(), Error> {
-        match self.source.take_word(word) {
-            true => Ok(()),
-            false => Err(Error::unexpected(self.source, expected)),
-        }
+    /// Skeletons do not take everything, but what is read here should be all right.
+    fn refused(&mut self, error: SkeletonError) -> Error {
+        Error::here(self.source, ErrorKind::Skeleton(error))
     }
 
     fn not_a_root(&mut self) -> Error {
@@ -251,7 +225,7 @@ fn not_a_hierarchy(source: &mut Source) -> Error {
     let found = printable(word);
     let guess = match word {
         [] => return Error::here(source, ErrorKind::Empty),
-        word if super::error::is_conflict_mark(word) => return Error::unexpected(source, "HIERARCHY"),
+        word if is_conflict_mark(word) => return Error::unexpected(source, "HIERARCHY"),
         [b'{' | b'[', ..] => " (JSON?)",
         [b'<', ..] => " (XML?)",
         [b'#' | b':', ..] => " (Acclaim?)",

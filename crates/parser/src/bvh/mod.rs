@@ -35,6 +35,7 @@ mod hierarchy;
 mod motion;
 mod rows;
 mod warning;
+mod words;
 mod write;
 
 use std::fs::File;
@@ -105,10 +106,4 @@ fn read_text(mut source: Source, mut warnings: Vec<Warning>) -> Result<Reading, 
     }
     warnings.sort_by_key(|warning| (warning.line, warning.column));
     Ok(Reading { motion, warnings })
-}
-
-/// The number that a word of plain digits stands for, if it is not too large to count.
-fn whole_number(word: &[u8]) -> Option<u64> {
-    let digits = word.iter().all(u8::is_ascii_digit).then_some(word)?;
-    std::str::from_utf8(digits).ok()?.parse().ok()
 }

@@ -2,9 +2,10 @@
 
 use skeleton::{Motion, Skeleton};
 
+use super::error::is_conflict_mark;
 use super::rows::Rows;
 use super::warning::warn;
-use super::{Error, ErrorKind, Warning, WarningKind};
+use super::{Error, ErrorKind, Warning, WarningKind, words};
 use crate::number::{self, BadNumber};
 use crate::snippet::printable;
 use crate::source::{Lines, Place, Source, WholeWords, is_blank};
@@ -29,45 +30,30 @@ pub(super) fn read(
     if frames as u64 != declared {
         warn(warnings, source.place(), WarningKind::EmptyFrames { declared });
     }
-    Motion::new(skeleton, frames, frame_time, values).map_err(|_| Error::unexpected(source, "whole frames"))
+    Motion::new(skeleton, frames, frame_time, values)
+        .map_err(|error| Error::here(source, ErrorKind::Motion(error)))
 }
 
 /// Reads `Frames: 120`.
 fn frame_count(source: &mut Source) -> Result<u64, Error> {
-    if !source.take_word("Frames") || !source.take_word(":") {
-        return Err(Error::unexpected(source, "`Frames:` and the number of frames"));
+    for word in ["Frames", ":"] {
+        words::take(source, word, "`Frames:` and the number of frames")?;
     }
-    let word = source.peek();
-    let length = word.len();
-    match super::whole_number(word) {
-        Some(count) => {
-            source.take(length);
-            Ok(count)
-        }
-        None => Err(Error::unexpected(source, "the number of frames")),
-    }
+    words::count(source, "the number of frames").map(|(count, _)| count)
 }
 
 /// Reads `Frame Time: 0.0333`.
 fn frame_time(source: &mut Source, warnings: &mut Vec<Warning>) -> Result<f64, Error> {
-    if !["Frame", "Time", ":"].into_iter().all(|word| source.take_word(word)) {
-        return Err(Error::unexpected(source, "`Frame Time:` and the seconds from one frame to the next"));
+    for word in ["Frame", "Time", ":"] {
+        words::take(source, word, "`Frame Time:` and the seconds from one frame to the next")?;
     }
-    let word = source.peek();
-    let length = word.len();
-    match number::parse::<f64>(word) {
-        Ok(seconds) => {
-            if seconds <= 0.0 {
-                warn(warnings, source.place(), WarningKind::FrameTime { seconds });
-            }
-            source.take(length);
-            Ok(seconds)
-        }
-        Err(problem) => {
-            let word = word.to_vec();
-            Err(Error::bad_number(source, &word, problem))
-        }
+    source.peek();
+    let place = source.place();
+    let seconds = words::number(source)?;
+    if seconds <= 0.0 {
+        warn(warnings, place, WarningKind::FrameTime { seconds });
     }
+    Ok(seconds)
 }
 
 /// The numbers of all frames.
@@ -102,7 +88,7 @@ impl Numbers {
                 break;
             }
             let Err((problem, word)) = self.take_all(words) else { continue };
-            let is_conflict = super::error::is_conflict_mark(&word);
+            let is_conflict = is_conflict_mark(&word);
             if self.values.len() < self.wanted || is_conflict {
                 return Err(Error::bad_number(source, &word, problem));
             }

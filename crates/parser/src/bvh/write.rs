@@ -76,9 +76,10 @@ fn close_down_to(parent: Option<JointId>, open: &mut Vec<JointId>, out: &mut imp
     Ok(())
 }
 
-/// Indents a line, up to a depth that somebody could still look at: a skeleton can be a million joints deep.
+/// Indents a line, but not farther than somebody would look: a skeleton can be a million joints deep.
 fn indent(depth: usize, out: &mut impl Write) -> io::Result<()> {
-    (0..depth.min(100)).try_for_each(|_| out.write_all(b"\t"))
+    const TABS: [u8; 100] = [b'\t'; 100];
+    out.write_all(&TABS[..depth.min(TABS.len())])
 }
 
 /// A number in the fewest digits that read back as the same number; with an exponent if it is very small or large.
