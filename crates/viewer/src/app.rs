@@ -86,7 +86,8 @@ impl App {
 
     /// A line for the window's title bar.
     pub fn window_title(&self) -> String {
-        format!("{} · frame {} / {}", self.title, self.frame(), self.stage.motion().frame_count())
+        let playing = if self.player.is_playing() { " · playing" } else { "" };
+        format!("{} · frame {} / {}{playing}", self.title, self.frame(), self.stage.motion().frame_count())
     }
 
     /// Lets `seconds` pass.
@@ -301,6 +302,9 @@ mod tests {
         let mut app = app(5);
         app.act(Action::Next);
         assert_eq!(app.window_title(), "walk.bvh · frame 1 / 5");
+        app.act(Action::Play);
+        assert_eq!(app.window_title(), "walk.bvh · frame 1 / 5 · playing");
+        app.act(Action::Play);
         assert!(words(&app.scene(Shown::Reference, SIZE)).contains("frame 1 / 5"));
         app.act(Action::Help);
         let help = words(&app.scene(Shown::Reference, SIZE));

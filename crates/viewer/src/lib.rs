@@ -1,8 +1,8 @@
 //! The fixed viewer: a window, or a picture, of a moving skeleton.
 //!
 //! A motion is put on a [`stage`]; the [`player`] says which frame it is; poses come from the reference solution and
-//! from the student's functions. From these the app makes a [`scene`], plain data that says what is to be seen,
-//! and [`draw`] turns it into pixels on a [`canvas`], for the window and for PNG files alike.
+//! from the student's functions. From these the [`app`] makes a [`scene`], plain data that says what is to be
+//! seen, and [`draw`] turns it into pixels on a [`canvas`], for the window and for PNG files alike.
 #![deny(missing_docs)]
 
 pub mod app;

@@ -198,8 +198,9 @@ pub fn ask(
 
 impl From<Failure> for Trouble {
     fn from(failure: Failure) -> Trouble {
-        let text = failure.to_string();
-        let mut lines = text.lines().map(str::to_owned);
+        // A panic's message may be of any length.
+        let text: String = failure.to_string().chars().take(600).collect();
+        let mut lines = text.lines().take(8).map(str::to_owned);
         Trouble { headline: lines.next().unwrap_or_default(), details: lines.collect() }
     }
 }

@@ -90,9 +90,13 @@ impl Viewer<'_> {
         self.display.xdotool(&["key", key]).expect("a key press");
     }
 
+    fn title(&self) -> String {
+        self.display.xdotool(&["getwindowname", &self.window]).expect("the title")
+    }
+
     /// The frame in the title bar.
     fn frame(&self) -> usize {
-        let title = self.display.xdotool(&["getwindowname", &self.window]).expect("the title");
+        let title = self.title();
         let number = title.split("frame ").nth(1).and_then(|rest| rest.split(' ').next());
         number.and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("no frame in {title:?}"))
     }
@@ -125,14 +129,12 @@ fn keys_step_play_and_close() {
     wait_for("the frame before", || (viewer.frame() == 2).then_some(()));
 
     viewer.key("space");
-    wait_for("the motion to play", || (viewer.frame() > 30).then_some(()));
-    viewer.key("space");
-    // Paused: the next step is one frame, wherever it has come to.
-    let paused = wait_for("the pause", || {
-        let frame = viewer.frame();
-        thread::sleep(Duration::from_millis(100));
-        (viewer.frame() == frame).then_some(frame)
+    wait_for("the motion to play", || {
+        (viewer.frame() > 30 && viewer.title().ends_with("playing")).then_some(())
     });
+    viewer.key("space");
+    wait_for("the pause", || (!viewer.title().ends_with("playing")).then_some(()));
+    let paused = viewer.frame();
     viewer.key("w");
     wait_for("one more frame", || (viewer.frame() == paused + 1).then_some(()));
 
