@@ -14,9 +14,7 @@ impl Dice {
     pub(crate) fn new(seed: u64, topic: &str) -> Self {
         let mut bytes = [0; 32];
         bytes[..8].copy_from_slice(&seed.to_le_bytes());
-        for (to, from) in bytes[8..].iter_mut().zip(topic.bytes()) {
-            *to = from;
-        }
+        bytes[8..16].copy_from_slice(&fnv1a(topic).to_le_bytes());
         Dice(ChaCha8Rng::from_seed(bytes))
     }
 
@@ -56,4 +54,10 @@ impl Dice {
         let axis = self.vector(0.4, 1.0).normalize();
         Quat::from_axis_angle(axis, self.angle(40.0, 140.0) / 360.0 * TAU)
     }
+}
+
+/// The hash of Fowler, Noll and Vo (FNV-1a, 64 bits), which never changes.
+fn fnv1a(text: &str) -> u64 {
+    text.bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

@@ -51,6 +51,8 @@ pub struct Case {
     pub difference: fn(&Case, expected: &Answer, got: &Answer) -> Option<Difference>,
     /// The inputs as a student reads them, each with its name and unit.
     pub inputs: Vec<(String, String)>,
+    /// What cases of one check can be told apart by, when only some of them are wrong: for example the rotation order.
+    pub group: Option<String>,
     /// The size of the skeleton behind the question: the measure of position tolerances.
     pub size: f32,
 }

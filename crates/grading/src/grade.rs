@@ -10,9 +10,18 @@ use crate::{
 };
 
 /// Asks `subject` everything about one part. Each check has `limit` for all its cases together; when a case fails or
-/// the time is over, the check is lost and the next one is asked.
+/// the time is over, the check is lost and the next one is asked. Once the time was over, the checks that follow have
+/// at most a second: what loops once mostly loops again.
 pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) -> PartReport {
-    let answers: Vec<CheckAnswers> = part.checks.iter().map(|check| ask(subject, check, limit)).collect();
+    let mut limit = limit;
+    let mut answers: Vec<CheckAnswers> = Vec::new();
+    for check in &part.checks {
+        let given = ask(subject, check, limit);
+        if matches!(given.failure, Some(Failure::TimedOut { .. })) {
+            limit = limit.min(Duration::from_secs(1));
+        }
+        answers.push(given);
+    }
     let exact = judge(part, &answers, &|case| case.expected.clone());
     let (checks, remark) = best_of(part, &answers, exact);
     PartReport {
@@ -59,22 +68,37 @@ fn judge(part: &PartPaper, answers: &[CheckAnswers], expected: &dyn Fn(&Case) ->
 
 fn judge_check(check: &CheckPaper, given: &CheckAnswers, expected: &dyn Fn(&Case) -> Answer) -> CheckState {
     if let Some(failure) = &given.failure {
-        return CheckState::Failed(failure.clone());
+        let inputs = check.cases.get(given.answers.len()).map(|case| case.inputs.clone());
+        return CheckState::Failed { failure: failure.clone(), inputs: inputs.unwrap_or_default() };
     }
-    let cases = check.cases.iter().zip(&given.answers);
-    let mut wrong = cases.filter_map(|(case, answer)| {
-        let difference = (case.difference)(case, &expected(case), answer)?;
-        Some((case, difference))
-    });
-    match wrong.next() {
-        None => CheckState::Right,
-        Some((case, difference)) => CheckState::Wrong(FirstCase {
-            inputs: case.inputs.clone(),
-            difference,
-            wrong: 1 + wrong.count(),
-            cases: check.cases.len(),
-        }),
+    let mut first = None;
+    let mut wrong: Vec<&Case> = Vec::new();
+    let mut right: Vec<&Case> = Vec::new();
+    for (case, answer) in check.cases.iter().zip(&given.answers) {
+        match (case.difference)(case, &expected(case), answer) {
+            None => right.push(case),
+            Some(difference) => {
+                first.get_or_insert((case, difference));
+                wrong.push(case);
+            }
+        }
     }
+    let Some((case, difference)) = first else { return CheckState::Right };
+    CheckState::Wrong(FirstCase {
+        inputs: case.inputs.clone(),
+        difference,
+        groups: wrong_groups(&wrong, &right),
+        wrong: wrong.len(),
+        cases: check.cases.len(),
+    })
+}
+
+/// The groups that have wrong cases, if there are others that have none.
+fn wrong_groups(wrong: &[&Case], right: &[&Case]) -> Vec<String> {
+    let mut groups: Vec<String> = wrong.iter().filter_map(|case| case.group.clone()).collect();
+    groups.dedup();
+    let is_all_right = |case: &&Case| case.group.as_ref().is_some_and(|group| !groups.contains(group));
+    if right.iter().any(is_all_right) { groups } else { Vec::new() }
 }
 
 /// The judgement by the exact reference, or by an accepted way where that gives more points.
@@ -83,7 +107,9 @@ fn best_of(
     answers: &[CheckAnswers],
     exact: Vec<CheckReport>,
 ) -> (Vec<CheckReport>, Option<&'static str>) {
-    let right = |checks: &[CheckReport]| checks.iter().filter(|check| is_right(check)).count();
+    let right = |checks: &[CheckReport]| -> u32 {
+        checks.iter().filter(|check| is_right(check)).map(|check| check.rubric.points).sum()
+    };
     let mut best = (exact, None);
     for accepted in &part.accepted {
         let checks = judge(part, answers, &|case| case.question.ask(&accepted.functions));
@@ -110,7 +136,7 @@ fn state(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport]) -> 
         return PartState::PartlyRight;
     }
     let failure = checks.iter().find_map(|check| match &check.state {
-        CheckState::Failed(failure) => Some(failure),
+        CheckState::Failed { failure, .. } => Some(failure),
         CheckState::Right | CheckState::Wrong(_) => None,
     });
     match failure {
@@ -145,8 +171,10 @@ fn recognise(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport])
                 indices.iter().all(|&index| answers_are(&part.checks[index], &answers[index], variant))
             })
     };
-    let named =
-        |m: &Misconception| Named { id: m.id, title: m.title, explanation: m.explanation, hint: m.hint };
+    let named = |misconception: &Misconception| {
+        let Misconception { id, title, explanation, hint, seen_in, .. } = *misconception;
+        Named { id, title, explanation, hint, seen_in }
+    };
     part.misconceptions.iter().filter(is_seen).map(named).collect()
 }
 

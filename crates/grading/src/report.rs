@@ -36,7 +36,12 @@ pub enum CheckState {
     /// At least one case is wrong.
     Wrong(FirstCase),
     /// A case was not answered.
-    Failed(Failure),
+    Failed {
+        /// Why not.
+        failure: Failure,
+        /// The inputs of the case, each with its name and unit.
+        inputs: Vec<(String, String)>,
+    },
 }
 
 /// The first case of a check that is wrong.
@@ -46,6 +51,8 @@ pub struct FirstCase {
     pub inputs: Vec<(String, String)>,
     /// What came, and what should have come.
     pub difference: Difference,
+    /// The groups in which cases are wrong, when there are groups and not all of them are: for example `ZYX`.
+    pub groups: Vec<String>,
     /// How many of the check's cases are wrong.
     pub wrong: usize,
     /// How many cases the check has.
@@ -97,6 +104,8 @@ pub struct Named {
     pub explanation: &'static str,
     /// What to look at next.
     pub hint: &'static str,
+    /// The checks that it explains.
+    pub seen_in: &'static [&'static str],
 }
 
 impl PartReport {

@@ -20,6 +20,8 @@ pub struct PartRubric {
     pub function: &'static str,
     /// What it computes.
     pub title: &'static str,
+    /// What else to look at when a function that has been changed still answers like the template.
+    pub like_template: &'static str,
     /// What is checked.
     pub checks: &'static [CheckRubric],
 }

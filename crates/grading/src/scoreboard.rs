@@ -58,7 +58,7 @@ impl Scoreboard<'_> {
             let all = if points == of { " Well done: run `cargo view` and see it run." } else { "" };
             writeln!(f, "{}{all}", Styled(STRONG, &format!("{title}: {points} of {of} points.")))
         } else if !self.parts.is_empty() {
-            let asked = format!("{title}: {points} of {of} points in what was asked.");
+            let asked = format!("{title}: {points} of {of} points in the parts you checked.");
             writeln!(f, "{}", Styled(STRONG, &asked))
         } else {
             Ok(())
@@ -84,54 +84,73 @@ fn write_part(f: &mut fmt::Formatter<'_>, part: &PartReport) -> fmt::Result {
         Styled(STRONG, &format!("{id}: {function}, {points} of {of} points, {}", part.state.name()))
     )?;
     if part.state == PartState::NotStarted {
+        let like = part.rubric.like_template;
         return wrapped(
             f,
             2,
-            "Your function still does what the template does. Its comment says what it should do.",
+            &format!(
+                "Like the untouched template, your function returns {like}. Its comment says what it should do."
+            ),
         );
     }
-    let mut said = None;
-    for check in &part.checks {
-        write_check(f, check)?;
-        if let CheckState::Failed(failure) = &check.state {
-            // One function often fails in the same way everywhere.
-            let text = if said == Some(failure) { "as above".to_owned() } else { failure.to_string() };
-            wrapped(f, 17, &text)?;
-            said = Some(failure);
-        }
-    }
+    write_checks(f, &part.checks)?;
     for named in &part.named {
         write_named(f, named)?;
+        if let Some((title, first)) = first_wrong(part, |id| named.seen_in.contains(&id)) {
+            write_first_case(f, title, first)?;
+        }
+    }
+    let unexplained = |id: &'static str| !part.named.iter().any(|named| named.seen_in.contains(&id));
+    if let Some((title, first)) = first_wrong(part, unexplained) {
+        writeln!(f)?;
+        wrapped(f, 2, "This matches none of the mistakes that we know. Compare the two answers:")?;
+        write_first_case(f, title, first)?;
     }
     if let Some(remark) = part.remark {
         writeln!(f)?;
         wrapped(f, 2, remark)?;
     }
-    let first = part.checks.iter().find_map(|check| match &check.state {
-        CheckState::Wrong(first) => Some((check.rubric.title, first)),
-        CheckState::Right | CheckState::Failed(_) => None,
-    });
-    if let Some((title, first)) = first {
-        if part.named.is_empty() {
-            writeln!(f)?;
-            wrapped(
-                f,
-                2,
-                "Your answers are those of no mistake that is known here. Look at the first case:",
-            )?;
-        }
-        write_first_case(f, title, first)?;
-    }
     Ok(())
 }
 
-fn write_check(f: &mut fmt::Formatter<'_>, check: &CheckReport) -> fmt::Result {
-    let (of, title) = (check.rubric.points, check.rubric.title);
-    match &check.state {
-        CheckState::Right => writeln!(f, "  {}  {of} of {of}  {title}", Styled(RIGHT, "right")),
-        CheckState::Wrong(_) => writeln!(f, "  {}  0 of {of}  {title}", Styled(WRONG, "wrong")),
-        CheckState::Failed(_) => writeln!(f, "  {}  0 of {of}  {title}", Styled(WRONG, "lost ")),
+/// The first wrong case of the first check that is wrong and whose name is `wanted`.
+fn first_wrong(
+    part: &PartReport,
+    wanted: impl Fn(&'static str) -> bool,
+) -> Option<(&'static str, &FirstCase)> {
+    part.checks.iter().filter(|check| wanted(check.rubric.id)).find_map(|check| match &check.state {
+        CheckState::Wrong(first) => Some((check.rubric.title, first)),
+        CheckState::Right | CheckState::Failed { .. } => None,
+    })
+}
+
+fn write_checks(f: &mut fmt::Formatter<'_>, checks: &[CheckReport]) -> fmt::Result {
+    let mut said = None;
+    for check in checks {
+        let (of, title) = (check.rubric.points, check.rubric.title);
+        match &check.state {
+            CheckState::Right => writeln!(f, "  {}    {of} of {of}  {title}", Styled(RIGHT, "right"))?,
+            CheckState::Wrong(first) => {
+                writeln!(f, "  {}    0 of {of}  {title}", Styled(WRONG, "wrong"))?;
+                if !first.groups.is_empty() {
+                    wrapped(f, 19, &format!("only these are wrong: {}", first.groups.join(", ")))?;
+                }
+            }
+            CheckState::Failed { failure, inputs } => {
+                writeln!(f, "  {}  0 of {of}  {title}", Styled(WRONG, "stopped"))?;
+                // One function often fails in the same way everywhere.
+                if said.replace(failure) == Some(failure) {
+                    wrapped(f, 19, "as above")?;
+                } else {
+                    wrapped(f, 19, &failure.to_string())?;
+                    let inputs: Vec<String> =
+                        inputs.iter().map(|(name, value)| format!("{name} {value}")).collect();
+                    wrapped(f, 19, &format!("It was asked about: {}", inputs.join("; ")))?;
+                }
+            }
+        }
     }
+    Ok(())
 }
 
 fn write_named(f: &mut fmt::Formatter<'_>, named: &Named) -> fmt::Result {
@@ -142,15 +161,15 @@ fn write_named(f: &mut fmt::Formatter<'_>, named: &Named) -> fmt::Result {
 }
 
 fn write_first_case(f: &mut fmt::Formatter<'_>, title: &str, first: &FirstCase) -> fmt::Result {
-    let FirstCase { inputs, difference, wrong, cases } = first;
+    let FirstCase { inputs, difference, wrong, cases, .. } = first;
     writeln!(f)?;
-    wrapped(f, 2, &format!("The first case that differs ({title}; {wrong} of {cases} cases differ):"))?;
+    wrapped(f, 2, &format!("The first wrong case ({title}; {wrong} of {cases} wrong):"))?;
     for (name, value) in inputs {
-        writeln!(f, "    {name:<18}  {value}")?;
+        writeln!(f, "    {name:<32}  {value}")?;
     }
-    writeln!(f, "    {:<18}  {}", "yours", Styled(WRONG, &difference.got))?;
-    writeln!(f, "    {:<18}  {}", "expected", Styled(RIGHT, &difference.expected))?;
-    writeln!(f, "    {:<18}  {}", "between the two", difference.between)
+    writeln!(f, "    {:<32}  {}", "yours", Styled(WRONG, &difference.got))?;
+    writeln!(f, "    {:<32}  {}", "expected", Styled(RIGHT, &difference.expected))?;
+    writeln!(f, "    {:<32}  {}", "difference", difference.between)
 }
 
 fn write_whole(f: &mut fmt::Formatter<'_>, whole: &WholeReport, parts: &[PartReport]) -> fmt::Result {
@@ -167,7 +186,7 @@ fn write_whole(f: &mut fmt::Formatter<'_>, whole: &WholeReport, parts: &[PartRep
             )
         }
         Some(Trouble::Failed(failure)) => {
-            writeln!(f, "{}", heading("no poses"))?;
+            writeln!(f, "{}", heading("could not be computed"))?;
             wrapped(f, 2, &failure.to_string())
         }
         // A tree full of joints that nobody has begun to place would only be in the way.

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use exam::{Functions, InProcess};
 use grading::{
-    CheckState, Exam, Misconception, PUBLIC_SEED, PartReport, PartState, Solutions, fk, grade_part,
+    CheckState, Exam, Misconception, PUBLIC_SEED, PartReport, PartRubric, PartState, Solutions, fk,
+    grade_part,
 };
 use skeleton::FkFunctions;
 
@@ -24,6 +25,10 @@ fn lost_checks(report: &PartReport) -> Vec<&'static str> {
     lost.map(|check| check.rubric.id).collect()
 }
 
+fn full_points() -> Vec<u32> {
+    fk::RUBRIC.parts.iter().map(PartRubric::points).collect()
+}
+
 fn points(reports: &[PartReport]) -> Vec<u32> {
     reports.iter().map(PartReport::points).collect()
 }
@@ -32,7 +37,7 @@ fn points(reports: &[PartReport]) -> Vec<u32> {
 fn the_solution_gets_all_points_and_no_remark() {
     for (seed, exam) in exams() {
         let reports = reports(&exam, Functions::Fk(solutions::FK));
-        assert_eq!(points(&reports), [5, 5, 5], "seed {seed}");
+        assert_eq!(points(&reports), full_points(), "seed {seed}");
         for report in reports {
             assert_eq!(
                 (report.state, report.remark, report.named.len()),
@@ -57,7 +62,7 @@ fn a_short_pi_gets_all_points_and_a_remark() {
     for (seed, exam) in exams() {
         for accepted in fk::accepted("part1") {
             let reports = reports(&exam, accepted.functions);
-            assert_eq!(points(&reports), [5, 5, 5], "seed {seed}");
+            assert_eq!(points(&reports), full_points(), "seed {seed}");
             assert_eq!(reports[0].remark, Some(accepted.remark), "seed {seed}");
             let whole =
                 fk::grade_whole_motion(&mut InProcess(accepted.functions), &exam.whole_motion, NO_LIMIT);
@@ -129,8 +134,52 @@ fn every_misconception_says_what_and_why_and_what_next() {
         assert!(hint.len() > 20, "{id}: {hint}");
         assert!(!costs.is_empty() && costs.iter().all(|check| seen_in.contains(check)), "{id}");
         assert!(!variants.is_empty(), "{id}");
+        let known = |check: &&str| {
+            fk::RUBRIC.parts.iter().flat_map(|part| part.checks).any(|known| known.id == *check)
+        };
+        assert!(seen_in.iter().all(known), "{id} is seen in a check that does not exist");
         assert!(!ids.contains(&id), "{id} is there twice");
         ids.push(id);
     }
     assert!(ids.len() >= 25, "{} misconceptions", ids.len());
+}
+
+#[test]
+fn every_check_asks_something() {
+    for (seed, exam) in exams() {
+        for check in exam.parts.iter().flat_map(|part| &part.checks) {
+            assert!(!check.cases.is_empty(), "seed {seed}: {} has no cases", check.rubric.id);
+        }
+    }
+}
+
+/// The channels say the same as the order: who works with them is right too.
+#[test]
+fn a_solution_by_channels_is_right() {
+    fn by_channels(joint: &skeleton::Joint, frame: &mut skeleton::FrameCursor) -> glam::Quat {
+        let turn = |channel: &skeleton::Channel| match *channel {
+            skeleton::Channel::Position(_) => glam::Quat::IDENTITY,
+            skeleton::Channel::Rotation(axis) => {
+                glam::Quat::from_axis_angle(axis.unit(), frame.take().to_radians())
+            }
+        };
+        joint.channels.iter().map(turn).product()
+    }
+    let functions = FkFunctions { local_quaternion: by_channels, ..solutions::FK };
+    for (seed, exam) in exams() {
+        let report = &reports(&exam, Functions::Fk(functions))[0];
+        assert_eq!(report.state, PartState::Right, "seed {seed}");
+    }
+}
+
+#[test]
+fn one_wrong_order_of_six_is_pointed_out() {
+    fn wrong_for_zxy(joint: &skeleton::Joint, frame: &mut skeleton::FrameCursor) -> glam::Quat {
+        let right = solutions::fk::local_quaternion(joint, frame);
+        if joint.rotation_order == skeleton::RotationOrder::Zxy { right.inverse() } else { right }
+    }
+    let functions = FkFunctions { local_quaternion: wrong_for_zxy, ..solutions::FK };
+    let report = &reports(&fk::exam(PUBLIC_SEED, &Solutions), Functions::Fk(functions))[0];
+    let CheckState::Wrong(first) = &report.checks[1].state else { panic!("{:?}", report.checks[1]) };
+    assert_eq!(first.groups, ["ZXY"]);
 }

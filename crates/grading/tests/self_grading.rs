@@ -98,6 +98,20 @@ fn what_the_student_prints_reaches_the_terminal() {
 }
 
 #[test]
+fn a_filter_that_fits_nothing_says_what_there_is() {
+    let run = grade(SOLUTION, &["part4"]);
+    assert!(run.text.contains("There is part1_local_quaternion, part2_global_quaternion, "), "{}", run.text);
+}
+
+#[test]
+fn colours_are_there_when_they_are_wanted_and_not_when_they_are_not() {
+    let wanted = grade_with(&template(), &[], &[("CLICOLOR_FORCE", "1")]);
+    assert!(wanted.text.contains("\x1b[2mnot started"), "{}", wanted.text);
+    let unwanted = grade_with(&template(), &[], &[("CLICOLOR_FORCE", "0"), ("NO_COLOR", "1")]);
+    assert!(!unwanted.text.contains('\x1b'), "{}", unwanted.text);
+}
+
+#[test]
 fn no_colours_where_there_is_no_terminal() {
     let run = grade(&template(), &[]);
     assert!(!run.text.contains('\x1b'), "{}", run.text);
@@ -120,12 +134,16 @@ struct Run {
 }
 
 fn grade(source: &str, filter: &[&str]) -> Run {
+    grade_with(source, filter, &[])
+}
+
+fn grade_with(source: &str, filter: &[&str], environment: &[(&str, &str)]) -> Run {
     // One test at a time edits the copy.
     static ALONE: Mutex<()> = Mutex::new(());
     let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     let course = Course::open("a course with spaces");
     course.save(source);
-    let output = course.test_command().args(filter).output().unwrap();
+    let output = course.test_command().args(filter).envs(environment.iter().copied()).output().unwrap();
     let text =
         String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     let points = text.lines().filter(|line| line.starts_with("  part")).filter_map(|line| {

@@ -76,7 +76,7 @@ pub(super) fn global_position(case: &Case, expected: &Answer, got: &Answer) -> O
 /// one is no rotation itself (a known-wrong answer), their components are compared.
 pub(super) fn between_rotations(expected: Quat, got: Quat) -> Option<Difference> {
     let between = if !got.is_finite() {
-        "not a number".to_owned()
+        NOT_A_NUMBER.to_owned()
     } else if (expected.length() - 1.0).abs() > LENGTH_TOLERANCE || !expected.is_finite() {
         let apart = (expected - got).length().min((expected + got).length());
         if apart <= 1e-4 * expected.length().max(1.0) {
@@ -113,9 +113,12 @@ pub(super) fn between_positions(expected: Vec3, got: Vec3, size: f32) -> Option<
     if distance <= POSITION_TOLERANCE * size {
         return None;
     }
-    let between = if got.is_finite() { format!("{distance:.3}") } else { "not a number".to_owned() };
+    let between =
+        if got.is_finite() { format!("{distance:.3} (file's unit)") } else { NOT_A_NUMBER.to_owned() };
     Some(Difference { got: vector(got), expected: vector(expected), between })
 }
+
+const NOT_A_NUMBER: &str = "yours is not a number (NaN) or infinite: look for a division by zero";
 
 /// An answer to another question than the one that was asked.
 fn not_comparable() -> Option<Difference> {
@@ -135,4 +138,63 @@ pub(super) fn quaternion(q: Quat) -> String {
 /// (x, y, z) with three decimals.
 pub(super) fn vector(v: Vec3) -> String {
     format!("({:.3}, {:.3}, {:.3})", v.x, v.y, v.z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A turn by so many degrees, in f32 as students have it.
+    fn turn(degrees: f32) -> Quat {
+        Quat::from_axis_angle(Vec3::new(2.0, -1.0, 3.0).normalize(), degrees.to_radians())
+    }
+
+    #[test]
+    fn a_quaternion_and_its_negative_are_the_same_rotation() {
+        for degrees in [0.0, 1.0, 90.0, 179.0, 180.0, 270.0] {
+            assert_eq!(between_rotations(turn(degrees), -turn(degrees)), None, "{degrees}");
+        }
+    }
+
+    #[test]
+    fn rotations_differ_from_a_hundredth_of_a_degree_on() {
+        for degrees in [0.0, 30.0, 120.0] {
+            assert_eq!(between_rotations(turn(degrees), turn(degrees + 0.009)), None, "{degrees}");
+            assert!(between_rotations(turn(degrees), turn(degrees + 0.011)).is_some(), "{degrees}");
+        }
+    }
+
+    #[test]
+    fn the_angle_between_is_right_from_small_to_large() {
+        for degrees in [0.001_f32, 0.1, 10.0, 90.0, 179.0] {
+            let measured = angle_between(turn(20.0), turn(20.0 + degrees));
+            assert!((measured - f64::from(degrees)).abs() < 2e-5, "{degrees}: {measured}");
+        }
+    }
+
+    #[test]
+    fn a_rotation_has_the_length_1() {
+        assert_eq!(between_rotations(turn(50.0), turn(50.0) * 1.0005), None);
+        let difference = between_rotations(turn(50.0), turn(50.0) * 1.002).unwrap();
+        assert_eq!(difference.between, "a rotation has the length 1, this one has 1.0020");
+        assert!(between_rotations(Quat::IDENTITY, Quat::from_xyzw(0.0, 0.0, 0.0, 0.0)).is_some());
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_never_right() {
+        let nan = Quat::from_xyzw(f32::NAN, 0.0, 0.0, 1.0);
+        assert_eq!(between_rotations(turn(1.0), nan).unwrap().between, NOT_A_NUMBER);
+        let difference = between_positions(Vec3::ZERO, Vec3::new(0.0, f32::INFINITY, 0.0), 1.0);
+        assert_eq!(difference.unwrap().between, NOT_A_NUMBER);
+        assert!(between_positions(Vec3::ZERO, Vec3::NAN, f32::MAX).is_some());
+    }
+
+    #[test]
+    fn positions_differ_from_a_ten_thousandth_of_the_size_on() {
+        for size in [0.01, 1.0, 170.0] {
+            let off = |parts: f32| Vec3::new(0.0, parts * size, 0.0);
+            assert_eq!(between_positions(Vec3::ZERO, off(0.9e-4), size), None, "{size}");
+            assert!(between_positions(Vec3::ZERO, off(1.1e-4), size).is_some(), "{size}");
+        }
+    }
 }

@@ -8,18 +8,18 @@ use exam::Functions;
 use glam::{Quat, Vec3};
 use skeleton::{FkFunctions, FrameCursor, Joint, Pose};
 
-use super::variants::{Fraction, ThreeDecimals, ThreeRounded, TwoDecimals, local};
+use super::variants::{FourDecimals, Fraction, ThreeDecimals, ThreeRounded, TwoDecimals, local};
 use crate::{Accepted, Misconception};
 
 /// Ways to answer a part that get full points, with a remark.
 pub fn accepted(part: &str) -> Vec<Accepted> {
-    let remark = "Your π has only a few digits. That is accepted here, and in this assignment it was once given as \
-                  3.14, but after several joints the error can be seen. `f32::to_radians` and \
-                  `std::f32::consts::PI` are exact.";
-    let short_pis: [Local; 4] = [
+    let remark = "Your π has only a few digits. This is accepted, but over several joints the error becomes visible. \
+                  `f32::to_radians` is as exact as the type allows.";
+    let short_pis: [Local; 5] = [
         local::right::<TwoDecimals>,
         local::right::<ThreeDecimals>,
         local::right::<ThreeRounded>,
+        local::right::<FourDecimals>,
         local::right::<Fraction>,
     ];
     match part {

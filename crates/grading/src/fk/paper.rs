@@ -3,7 +3,7 @@
 use exam::fk::Question as FkQuestion;
 use exam::{Answer, Functions, Question};
 use glam::Quat;
-use skeleton::{Joint, Pose, RotationOrder, Skeleton, Transform};
+use skeleton::{Axis, Channel, Joint, Pose, RotationOrder, Skeleton, Transform};
 
 use super::compare::{self, quaternion, vector};
 use super::figure::{self, figure};
@@ -84,6 +84,8 @@ impl Writer<'_> {
 
     fn local_quaternion(&self, order: RotationOrder, angles: [f32; 3]) -> Case {
         let mut joint = self.skeleton.joints()[0].clone();
+        let turns = order.axes().into_iter().flatten().map(Channel::Rotation);
+        joint.channels = Axis::ALL.map(Channel::Position).into_iter().chain(turns).collect();
         joint.rotation_order = order;
         let axes = order.axes().into_iter().flatten();
         let listed: Vec<String> = axes.zip(angles).map(|(axis, angle)| format!("{axis} {angle}°")).collect();
@@ -94,7 +96,7 @@ impl Writer<'_> {
         // The next joint's angles lie behind this joint's, as in a file.
         let angles = angles.into_iter().chain([11.0, -7.0, 5.0]).collect();
         let question = FkQuestion::LocalQuaternions { joints: vec![joint], angles };
-        self.case(question, inputs, compare::rotation_of_joint)
+        Case { group: Some(order.to_string()), ..self.case(question, inputs, compare::rotation_of_joint) }
     }
 
     /// The whole figure, joint by joint, with one cursor.
@@ -103,8 +105,14 @@ impl Writer<'_> {
         let rotating = joints.iter().filter(|joint| joint.rotation_order != RotationOrder::None).count();
         let angles = (0..3 * rotating).map(|_| dice.angle(10.0, 170.0)).collect();
         let inputs = vec![
-            input("joints", format!("{} and their End Sites, one after the other", rotating)),
-            input("angles", format!("{}, three for each joint that has a rotation order", 3 * rotating)),
+            input(
+                "joints",
+                format!(
+                    "{rotating} with angles and {} without, one after the other",
+                    joints.len() - rotating
+                ),
+            ),
+            input("angles", format!("{}, three for each joint that has any", 3 * rotating)),
         ];
         self.case(FkQuestion::LocalQuaternions { joints, angles }, inputs, compare::cursor)
     }
@@ -114,8 +122,7 @@ impl Writer<'_> {
         let depths = self.skeleton.depths();
         let chosen = self.skeleton.joints().iter().filter(move |joint| {
             let after_parent = joint.parent.is_some_and(|parent| parent.0 + 1 == joint.id.0);
-            let moves =
-                joint.channels.iter().any(|channel| matches!(channel, skeleton::Channel::Position(_)));
+            let moves = joint.channels.iter().any(|channel| matches!(channel, Channel::Position(_)));
             match check {
                 "root" => joint.is_root(),
                 "child" => after_parent && !moves,
@@ -134,9 +141,9 @@ impl Writer<'_> {
         let pose = self.pose_before(dice, joint);
         let local =
             if joint.rotation_order == RotationOrder::None { Quat::IDENTITY } else { dice.rotation() };
-        let mut inputs = vec![self.who(joint), input("local", quaternion(local))];
+        let mut inputs = vec![self.who(joint), input("local (x, y, z, w)", quaternion(local))];
         if let Some(parent) = joint.parent {
-            inputs.push(input("parent's rotation", quaternion(pose[parent].rotation)));
+            inputs.push(input("parent's rotation (x, y, z, w)", quaternion(pose[parent].rotation)));
         }
         let question = FkQuestion::GlobalQuaternion { joint: joint.clone(), local, pose };
         self.case(question, inputs, compare::global_rotation)
@@ -147,12 +154,15 @@ impl Writer<'_> {
         pose[joint.id].rotation = dice.rotation();
         let moved = moved || joint.is_root();
         let local_position = if moved { figure::moved_position(dice, joint.offset) } else { joint.offset };
-        let mut inputs = vec![self.who(joint), input("local position", vector(local_position))];
+        let mut inputs = vec![
+            self.who(joint),
+            input("local position", format!("{} (file's unit)", vector(local_position))),
+        ];
         if let Some(parent) = joint.parent {
             inputs.push(input("parent's position", vector(pose[parent].position)));
-            inputs.push(input("parent's rotation", quaternion(pose[parent].rotation)));
+            inputs.push(input("parent's rotation (x, y, z, w)", quaternion(pose[parent].rotation)));
         }
-        inputs.push(input("own rotation", quaternion(pose[joint.id].rotation)));
+        inputs.push(input("own rotation (x, y, z, w)", quaternion(pose[joint.id].rotation)));
         let question = FkQuestion::GlobalPosition { joint: joint.clone(), local_position, pose };
         self.case(question, inputs, compare::global_position)
     }
@@ -180,7 +190,7 @@ impl Writer<'_> {
     fn case(&self, question: FkQuestion, inputs: Vec<(String, String)>, difference: Compare) -> Case {
         let question = Question::Fk(question);
         let expected = self.reference.answer(&question);
-        Case { question, expected, difference, inputs, size: self.size }
+        Case { question, expected, difference, inputs, group: None, size: self.size }
     }
 
     fn whole_motion(&self) -> WholeMotion {

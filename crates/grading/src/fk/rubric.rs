@@ -1,4 +1,4 @@
-//! What the parts of forward kinematics are worth: 5 + 5 + 5 points.
+//! What the parts of forward kinematics are worth.
 
 use crate::{CheckRubric, PartRubric, Rubric};
 
@@ -11,6 +11,7 @@ pub static RUBRIC: Rubric = Rubric {
             id: "part1",
             function: "local_quaternion",
             title: "local quaternion",
+            like_template: "no rotation, whatever the angles",
             checks: &[
                 check("single_axis", 1, "one angle, the others zero"),
                 check("rotation_orders", 2, "three angles, in each of the six rotation orders"),
@@ -22,10 +23,11 @@ pub static RUBRIC: Rubric = Rubric {
             id: "part2",
             function: "global_quaternion",
             title: "global quaternion",
+            like_template: "the local rotation alone (`pose[joint.id]` is not filled in yet: it is the parent's that you need)",
             checks: &[
                 check("root", 1, "a root, which has no parent"),
                 check("child", 2, "a joint and its parent"),
-                check("branch", 1, "a joint whose parent is not the joint before it"),
+                check("branch", 1, "a joint at a branch: the joint before it is not its parent"),
                 check("deep", 1, "joints and End Sites far down a chain"),
             ],
         },
@@ -33,11 +35,12 @@ pub static RUBRIC: Rubric = Rubric {
             id: "part3",
             function: "global_position",
             title: "global position",
+            like_template: "the local position alone",
             checks: &[
                 check("root", 1, "a root, which the frame moves"),
                 check("child", 2, "a joint or an End Site and its parent"),
-                check("branch", 1, "a joint whose parent is not the joint before it"),
-                check("moved", 1, "a joint that the frame moves against its parent"),
+                check("branch", 1, "a joint at a branch: the joint before it is not its parent"),
+                check("moved", 1, "a joint with position channels of its own"),
             ],
         },
     ],

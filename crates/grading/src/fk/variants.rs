@@ -3,7 +3,7 @@
 use std::f32::consts::PI;
 
 use glam::{Quat, Vec3};
-use skeleton::{Axis, FkFunctions, FrameCursor, Joint, JointId, Pose, RotationOrder};
+use skeleton::{Axis, FkFunctions, FrameCursor, Joint, JointId, Pose, RotationOrder, Transform};
 
 /// The functions of the untouched template.
 pub const TEMPLATE: FkFunctions = FkFunctions {
@@ -40,6 +40,8 @@ pi! {
     ThreeDecimals = 3.141;
     /// Rounded.
     ThreeRounded = 3.142;
+    /// Cut off one later.
+    FourDecimals = 3.1415;
     /// Archimedes'.
     Fraction = 22.0 / 7.0;
 }
@@ -102,6 +104,18 @@ pub(super) mod local {
     /// The angles are taken as x, y, z and then multiplied in the joint's order.
     pub fn taken_as_xyz<P: Pi>(joint: &Joint, frame: &mut FrameCursor) -> Quat {
         from_frame::<P>(joint, frame, |axes, angles| in_order(axes, axes.map(|axis| angles[axis.index()])))
+    }
+
+    /// The angles are sorted by axis, as if the order said nothing about which comes first, and then used in the order.
+    pub fn sorted_by_axis<P: Pi>(joint: &Joint, frame: &mut FrameCursor) -> Quat {
+        from_frame::<P>(joint, frame, |axes, angles| {
+            in_order(axes, Axis::ALL.map(|axis| angle_about(axis, axes, angles)))
+        })
+    }
+
+    /// The angles are taken as x, y, z, and every joint is multiplied as if they came in the reverse of this order.
+    pub fn always_reversed<P: Pi, const ORDER: u8>(joint: &Joint, frame: &mut FrameCursor) -> Quat {
+        from_frame::<P>(joint, frame, |_, [x, y, z]| in_order(order::<ORDER>(), [z, y, x]))
     }
 
     /// The angles belong to the right axes, and all joints are multiplied in the same order.
@@ -170,6 +184,11 @@ pub(super) mod local {
     pub fn turns_on_none(joint: &Joint, frame: &mut FrameCursor) -> Quat {
         let axes = joint.rotation_order.axes().unwrap_or(Axis::ALL);
         in_order(axes, frame.take3().map(f32::to_radians))
+    }
+
+    /// A joint without angles need not be an End Site.
+    pub fn moves_on_none_but_not_on_end_sites(joint: &Joint, frame: &mut FrameCursor) -> Quat {
+        if joint.is_end_site { Quat::IDENTITY } else { turns_on_none(joint, frame) }
     }
 
     pub fn never_moves(joint: &Joint, frame: &mut FrameCursor) -> Quat {
@@ -248,53 +267,74 @@ pub(super) mod rotation {
     }
 }
 
-/// Part 3. Each function but the last two is for joints with a parent; roots are right.
+/// Part 3. Each function but those about the root is for joints with a parent; roots are right. With `OFFSET` it takes
+/// the joint's offset where it should take the local position.
 pub(super) mod position {
     use super::*;
 
-    fn below_root(joint: &Joint, local: Vec3, pose: &Pose, make: impl Fn(Quat, Vec3) -> Vec3) -> Vec3 {
-        joint.parent.map_or(local, |parent| make(pose[parent].rotation, pose[parent].position))
+    fn below_root<const OFFSET: bool>(
+        joint: &Joint,
+        local: Vec3,
+        pose: &Pose,
+        make: impl Fn(Transform, Vec3) -> Vec3,
+    ) -> Vec3 {
+        let bone = if OFFSET { joint.offset } else { local };
+        joint.parent.map_or(local, |parent| make(pose[parent], bone))
     }
 
-    pub fn own_rotation(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        below_root(joint, local, pose, |_, position| position + pose[joint.id].rotation * local)
+    pub fn own_rotation<const OFFSET: bool>(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
+        below_root::<OFFSET>(joint, local, pose, |parent, bone| {
+            parent.position + pose[joint.id].rotation * bone
+        })
     }
 
-    pub fn not_rotated(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        below_root(joint, local, pose, |_, position| position + local)
+    pub fn not_rotated<const OFFSET: bool>(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
+        below_root::<OFFSET>(joint, local, pose, |parent, bone| parent.position + bone)
     }
 
-    pub fn parent_not_added(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        below_root(joint, local, pose, |rotation, _| rotation * local)
+    pub fn parent_not_added<const OFFSET: bool>(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
+        below_root::<OFFSET>(joint, local, pose, |parent, bone| parent.rotation * bone)
     }
 
-    pub fn parent_rotated_too(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        below_root(joint, local, pose, |rotation, position| rotation * (position + local))
+    pub fn parent_rotated_too<const OFFSET: bool>(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
+        below_root::<OFFSET>(joint, local, pose, |parent, bone| parent.rotation * (parent.position + bone))
     }
 
-    pub fn inverse(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        below_root(joint, local, pose, |rotation, position| position + rotation.inverse() * local)
+    pub fn inverse<const OFFSET: bool>(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
+        below_root::<OFFSET>(joint, local, pose, |parent, bone| {
+            parent.position + parent.rotation.inverse() * bone
+        })
     }
 
     fn pure(v: Vec3) -> Quat {
         Quat::from_xyzw(v.x, v.y, v.z, 0.0)
     }
 
-    pub fn from_the_left_only(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        below_root(joint, local, pose, |rotation, position| position + (rotation * pure(local)).xyz())
+    pub fn from_the_left_only<const OFFSET: bool>(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
+        below_root::<OFFSET>(joint, local, pose, |parent, bone| {
+            parent.position + (parent.rotation * pure(bone)).xyz()
+        })
     }
 
-    pub fn from_the_right_only(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        below_root(joint, local, pose, |rotation, position| position + (pure(local) * rotation).xyz())
+    pub fn from_the_right_only<const OFFSET: bool>(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
+        below_root::<OFFSET>(joint, local, pose, |parent, bone| {
+            parent.position + (pure(bone) * parent.rotation).xyz()
+        })
     }
 
     pub fn previous(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        let before = joint.parent.map(|_| pose[before(joint)]);
-        before.map_or(local, |before| before.position + before.rotation * local)
+        let before = pose[before(joint)];
+        below_root::<false>(joint, local, pose, |_, bone| before.position + before.rotation * bone)
+    }
+
+    /// The joint's own position has not been computed yet: it is the origin.
+    pub fn own_transform<const OFFSET: bool>(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
+        let own = pose[joint.id];
+        below_root::<OFFSET>(joint, local, pose, |_, bone| own.position + own.rotation * bone)
     }
 
     pub fn always_offset(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {
-        below_root(joint, local, pose, |rotation, position| position + rotation * joint.offset)
+        below_root::<true>(joint, local, pose, |parent, bone| parent.position + parent.rotation * bone)
     }
 
     pub fn root_at_offset(joint: &Joint, local: Vec3, pose: &Pose) -> Vec3 {

@@ -59,7 +59,7 @@ impl Comparison<'_> {
         let label = |id| self.skeleton.label(id);
         Some(Trouble::Off {
             worst: format!(
-                "{} is {} at frame {worst_frame}",
+                "{} is farthest off: by {} at frame {worst_frame}",
                 label(worst),
                 self.off_in_words(worst_frame, worst)
             ),
@@ -93,13 +93,12 @@ impl Comparison<'_> {
         )
     }
 
+    /// Only what is wrong: the distance in the file's unit, the angle in degrees, or both.
     fn off_in_words(&self, frame: usize, id: JointId) -> String {
         let (distance, degrees) = self.off(frame, id);
-        if distance > POSITION_TOLERANCE * self.size {
-            format!("off by {distance:.3} and {degrees:.1}°")
-        } else {
-            format!("off by {degrees:.1}°")
-        }
+        let far = (distance > POSITION_TOLERANCE * self.size).then(|| format!("{distance:.3}"));
+        let turned = (degrees > ROTATION_TOLERANCE).then(|| format!("{degrees:.2}°"));
+        far.into_iter().chain(turned).collect::<Vec<_>>().join(" and ")
     }
 
     /// The joint and frame with the largest distance; where all are in place, those with the largest angle.
@@ -129,7 +128,8 @@ impl Comparison<'_> {
         let line = |joint: &skeleton::Joint| TreeLine {
             depth: depths[joint.id.0],
             name: joint.name.clone(),
-            off: (!self.is_right(frame, joint.id)).then(|| self.off_in_words(frame, joint.id)),
+            off: (!self.is_right(frame, joint.id))
+                .then(|| format!("off by {}", self.off_in_words(frame, joint.id))),
             first: joint.id == first,
         };
         self.skeleton.joints().iter().map(line).collect()

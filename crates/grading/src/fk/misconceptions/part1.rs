@@ -2,7 +2,7 @@
 
 use super::{Local, wrong_in_part1};
 use crate::Misconception;
-use crate::fk::variants::{Exact, Fraction, ThreeDecimals, ThreeRounded, TwoDecimals, local};
+use crate::fk::variants::{Exact, FourDecimals, Fraction, ThreeDecimals, ThreeRounded, TwoDecimals, local};
 
 pub(super) fn misconceptions() -> Vec<Misconception> {
     [about_rotation(), about_cursor()].into_iter().flatten().collect()
@@ -16,6 +16,7 @@ macro_rules! with_each_pi {
             local::$function::<TwoDecimals $($(, $rest)*)?>,
             local::$function::<ThreeDecimals $($(, $rest)*)?>,
             local::$function::<ThreeRounded $($(, $rest)*)?>,
+            local::$function::<FourDecimals $($(, $rest)*)?>,
             local::$function::<Fraction $($(, $rest)*)?>,
         )*]
         .map(wrong_in_part1)
@@ -71,7 +72,7 @@ fn about_rotation() -> Vec<Misconception> {
             title: "You treat all joints as if they had the same rotation order.",
             explanation: "Each joint has an order of its own, which says about which axis its first, second and third \
                           angle turns.",
-            hint: "Use `joint.rotation_order`. Does your code come by there for every joint?",
+            hint: "Use `joint.rotation_order`. Does your code use it for every joint?",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
             variants: with_each_pi![
@@ -81,23 +82,25 @@ fn about_rotation() -> Vec<Misconception> {
                 always_taken_as::<_, 3>,
                 always_taken_as::<_, 4>,
                 always_taken_as::<_, 5>,
+                always_reversed::<_, 0>,
+                always_reversed::<_, 5>,
             ],
         },
         Misconception {
             id: "angles_taken_as_xyz",
-            title: "You take every joint's angles as x, y, z.",
+            title: "You mix up which angle belongs to which axis.",
             explanation: "The angles arrive in the joint's own order: with ZYX the first is about Z. You multiply in \
                           the right order, but with the wrong angles.",
             hint: "With the order ZYX, about which axis is the first of the three angles?",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
-            variants: with_each_pi![taken_as_xyz],
+            variants: with_each_pi![taken_as_xyz, sorted_by_axis],
         },
         Misconception {
             id: "always_multiplied_in_one_order",
             title: "You multiply the three rotations of all joints in the same order.",
-            explanation: "Each angle goes to the right axis, but rotations do not commute: the joint's order is also \
-                          the order of the product.",
+            explanation: "Each angle goes to the right axis, but the order of a product matters: multiply in the \
+                          joint's order.",
             hint: "If you use `match`, does every order have an arm with a product of its own?",
             seen_in: SEEN_IN,
             costs: ORDERS,
@@ -123,7 +126,7 @@ fn about_rotation() -> Vec<Misconception> {
         Misconception {
             id: "angles_packed",
             title: "You put the three angles into a quaternion as they are.",
-            explanation: "The numbers of a quaternion are no angles: they are the axis times the sine of half the \
+            explanation: "The numbers of a quaternion are not angles: they are the axis times the sine of half the \
                           angle, and its cosine.",
             hint: "Make one quaternion for each of the three angles, and multiply them.",
             seen_in: SEEN_IN,
@@ -174,7 +177,13 @@ fn about_cursor() -> Vec<Misconception> {
             hint: "Ask for `joint.rotation_order` before you take anything.",
             seen_in: CURSOR,
             costs: CURSOR,
-            variants: [local::moves_on_none as Local, local::turns_on_none].map(wrong_in_part1).into(),
+            variants: [
+                local::moves_on_none as Local,
+                local::turns_on_none,
+                local::moves_on_none_but_not_on_end_sites,
+            ]
+            .map(wrong_in_part1)
+            .into(),
         },
         Misconception {
             id: "cursor_not_moved",

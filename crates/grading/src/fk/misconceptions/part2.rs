@@ -23,7 +23,7 @@ fn about_child_rotation() -> Vec<Misconception> {
         },
         Misconception {
             id: "parent_only",
-            title: "You give the parent's rotation and leave the joint's own out.",
+            title: "You return the parent's rotation and leave out the joint's own.",
             explanation: "A joint turns with its parent, and against it by its own local rotation.",
             hint: "Where do you use `local`?",
             seen_in: SEEN_IN,
@@ -33,8 +33,7 @@ fn about_child_rotation() -> Vec<Misconception> {
         Misconception {
             id: "parent_twice",
             title: "You use the parent's rotation twice.",
-            explanation: "The parent's global rotation is already the product of all rotations down to it. It comes \
-                          in once.",
+            explanation: "The parent's global rotation is already the product of all rotations down to it. Use it once.",
             hint: "You need not walk up the skeleton: one product is enough.",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
@@ -85,7 +84,7 @@ fn about_root_rotation() -> Vec<Misconception> {
     vec![
         Misconception {
             id: "root_forgotten",
-            title: "You leave the root unturned.",
+            title: "You do not turn the root.",
             explanation: "A root has no parent, but it has a rotation of its own, and all other joints turn with it.",
             hint: "What is left of the product when there is no parent?",
             seen_in: ROOT,
@@ -95,7 +94,7 @@ fn about_root_rotation() -> Vec<Misconception> {
         Misconception {
             id: "root_twice",
             title: "You use the root's rotation twice.",
-            explanation: "A root has no parent, so that nothing comes in beside its own rotation, once.",
+            explanation: "A root has no parent, so there is nothing to multiply its rotation by.",
             hint: "What do you multiply by when there is no parent?",
             seen_in: ROOT,
             costs: ROOT,

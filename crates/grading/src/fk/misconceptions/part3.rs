@@ -15,30 +15,49 @@ fn about_child_position() -> Vec<Misconception> {
             id: "own_rotation",
             title: "You turn the local position by the joint's own rotation.",
             explanation: "A joint's own rotation turns what hangs on it, not the joint itself. The local position is \
-                          along the parent's axes.",
+                          measured along the parent's axes.",
             hint: "Whose rotation turns the bone that leads to this joint?",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
-            variants: vec![wrong_in_part3(position::own_rotation)],
+            variants: [position::own_rotation::<false> as Position, position::own_rotation::<true>]
+                .map(wrong_in_part3)
+                .into(),
+        },
+        Misconception {
+            id: "own_transform",
+            title: "You start from the joint's own position instead of the parent's.",
+            explanation: "`pose[joint.id]` is this joint itself: its position is what you are about to compute, and its \
+                          rotation turns what hangs on it.",
+            hint: "`joint.parent` says which joint the bone starts at.",
+            seen_in: SEEN_IN,
+            costs: SEEN_IN,
+            variants: [position::own_transform::<false> as Position, position::own_transform::<true>]
+                .map(wrong_in_part3)
+                .into(),
         },
         Misconception {
             id: "offset_not_rotated",
             title: "You do not turn the local position.",
-            explanation: "The local position is along the parent's axes. The sum needs it along the world's.",
+            explanation: "The local position is measured along the parent's axes. The sum needs it along the \
+                          world's.",
             hint: "Part 2 gave you what turns the one into the other.",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
-            variants: vec![wrong_in_part3(position::not_rotated)],
+            variants: [position::not_rotated::<false> as Position, position::not_rotated::<true>]
+                .map(wrong_in_part3)
+                .into(),
         },
         Misconception {
             id: "parent_position_not_added",
             title: "You do not add the parent's position.",
             explanation: "The turned local position is the way from the parent to the joint. It begins where the \
                           parent is.",
-            hint: "All your bones begin at the origin.",
+            hint: "All your bones start at the origin. Where should each one start?",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
-            variants: vec![wrong_in_part3(position::parent_not_added)],
+            variants: [position::parent_not_added::<false> as Position, position::parent_not_added::<true>]
+                .map(wrong_in_part3)
+                .into(),
         },
         Misconception {
             id: "parent_position_rotated",
@@ -47,7 +66,12 @@ fn about_child_position() -> Vec<Misconception> {
             hint: "Look at the parentheses: what does the quaternion work on?",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
-            variants: vec![wrong_in_part3(position::parent_rotated_too)],
+            variants: [
+                position::parent_rotated_too::<false> as Position,
+                position::parent_rotated_too::<true>,
+            ]
+            .map(wrong_in_part3)
+            .into(),
         },
         Misconception {
             id: "inverse_rotation",
@@ -56,7 +80,9 @@ fn about_child_position() -> Vec<Misconception> {
             hint: "If you write q v q⁻¹ out, which of the two stands on the left?",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
-            variants: vec![wrong_in_part3(position::inverse)],
+            variants: [position::inverse::<false> as Position, position::inverse::<true>]
+                .map(wrong_in_part3)
+                .into(),
         },
         Misconception {
             id: "one_sided_product",
@@ -66,9 +92,14 @@ fn about_child_position() -> Vec<Misconception> {
             hint: "glam's `q * v` with a `Vec3` does both sides for you.",
             seen_in: SEEN_IN,
             costs: SEEN_IN,
-            variants: [position::from_the_left_only as Position, position::from_the_right_only]
-                .map(wrong_in_part3)
-                .into(),
+            variants: [
+                position::from_the_left_only::<false> as Position,
+                position::from_the_left_only::<true>,
+                position::from_the_right_only::<false>,
+                position::from_the_right_only::<true>,
+            ]
+            .map(wrong_in_part3)
+            .into(),
         },
         Misconception {
             id: "previous_position",
@@ -82,7 +113,7 @@ fn about_child_position() -> Vec<Misconception> {
         },
         Misconception {
             id: "always_the_offset",
-            title: "You use the joint's offset where the frame has put something else in its place.",
+            title: "You use `joint.offset` instead of `local_position`.",
             explanation: "Most joints are always at their offset. Some have position channels, which move them.",
             hint: "The function is given `local_position`.",
             seen_in: SEEN_IN,
@@ -96,7 +127,7 @@ fn about_root_position() -> Vec<Misconception> {
     const ROOT: &[&str] = &["root"];
     vec![Misconception {
         id: "root_stays",
-        title: "Your root stays where it is.",
+        title: "Your root does not move with the frame.",
         explanation: "The frame says where the root is. Its offset, or the origin, is only where it would be without \
                       the frame.",
         hint: "What is `local_position` for a root?",
