@@ -10,7 +10,7 @@ use crate::snippet::CONTEXT;
 pub(crate) const LONGEST_WORD: usize = 4096;
 
 /// How much is asked of the input at once: enough to make the calls rare, and little enough to stay in the cache.
-const CHUNK: usize = 256 * 1024;
+const CHUNK: usize = 64 * 1024;
 
 /// A place in a text, both counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

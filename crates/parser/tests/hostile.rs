@@ -17,7 +17,7 @@ use proptest::sample::Index;
 static MEMORY: PeakAlloc = PeakAlloc;
 
 /// Memory that every reading takes: one chunk of text, room for the first numbers, and what the tests around it take.
-const SMALL_CHANGE: usize = 512 * 1024;
+const SMALL_CHANGE: usize = 256 * 1024;
 
 /// Memory for each byte of text, at most. The worst are short joints: a joint takes some hundred bytes, and a list that grows
 /// is there twice for a moment.

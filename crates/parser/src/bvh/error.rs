@@ -17,15 +17,9 @@ use crate::source::{LONGEST_WORD, Place, Source};
 /// show), and a line that says what to do.
 #[derive(Debug)]
 pub struct Error {
-    spot: Spot,
-    kind: Box<ErrorKind>,
-}
-
-/// A place in a text, and what it looks like there.
-#[derive(Debug)]
-pub(super) struct Spot {
     place: Place,
     snippet: Option<Snippet>,
+    kind: Box<ErrorKind>,
 }
 
 /// Why a file cannot be read.
@@ -187,12 +181,12 @@ pub enum ErrorKind {
 impl Error {
     /// Where: the line, from 1.
     pub fn line(&self) -> u64 {
-        self.spot.place.line
+        self.place.line
     }
 
     /// Where in the line: the character, from 1.
     pub fn column(&self) -> u64 {
-        self.spot.place.column
+        self.place.column
     }
 
     /// What is wrong.
@@ -202,7 +196,7 @@ impl Error {
 
     /// The source line, or the part of it around the place; `None` when it is empty or has been left behind.
     pub fn snippet(&self) -> Option<&Snippet> {
-        self.spot.snippet.as_ref()
+        self.snippet.as_ref()
     }
 
     /// What to do, in one or two sentences.
@@ -210,30 +204,26 @@ impl Error {
         self.kind.help()
     }
 
-    /// An error at the next word of `source`.
+    /// An error at the next word of `source`. If the text only seems to be at fault because the system could not read on,
+    /// the error says that.
     pub(super) fn here(source: &mut Source, kind: ErrorKind) -> Self {
-        let spot = Spot::next(source);
-        Error::at(spot, source, kind)
+        let kind = source.take_failure().map_or(kind, ErrorKind::Io);
+        let place = source.place();
+        let snippet = Some(source.snippet()).filter(|snippet| !snippet.is_empty());
+        Error { place, snippet, kind: Box::new(kind) }
     }
 
-    /// An error in a line that has been left behind.
-    pub(super) fn in_line(line: u64, source: &mut Source, kind: ErrorKind) -> Self {
-        Error::at(Spot { place: Place { line, column: 1 }, snippet: None }, source, kind)
-    }
-
-    /// An error at a spot of `source`. If the text only seems to be at fault because the system could not read on, the error
-    /// says that.
-    pub(super) fn at(spot: Spot, source: &mut Source, kind: ErrorKind) -> Self {
+    /// An error at a place of `source` that has been left behind. As [`Error::here`], if the system could not read on.
+    pub(super) fn before(place: Place, source: &mut Source, kind: ErrorKind) -> Self {
         match source.take_failure() {
-            Some(cause) => Error { spot: Spot::next(source), kind: Box::new(ErrorKind::Io(cause)) },
-            None => Error { spot, kind: Box::new(kind) },
+            Some(cause) => Error::here(source, ErrorKind::Io(cause)),
+            None => Error { place, snippet: None, kind: Box::new(kind) },
         }
     }
 
     /// The system could not read anything.
     pub(super) fn unread(cause: io::Error) -> Self {
-        let spot = Spot { place: Place { line: 1, column: 1 }, snippet: None };
-        Error { spot, kind: Box::new(ErrorKind::Io(cause)) }
+        Error { place: Place { line: 1, column: 1 }, snippet: None, kind: Box::new(ErrorKind::Io(cause)) }
     }
 
     /// The next word of `source` is not what was `expected`.
@@ -258,14 +248,6 @@ impl Error {
             BadNumber::TooLong => ErrorKind::LongNumber { longest: LONGEST_WORD },
         };
         Error::here(source, kind)
-    }
-}
-
-impl Spot {
-    /// The next byte of `source`.
-    pub fn next(source: &mut Source) -> Self {
-        let snippet = Some(source.snippet()).filter(|snippet| !snippet.is_empty());
-        Spot { place: source.place(), snippet }
     }
 }
 

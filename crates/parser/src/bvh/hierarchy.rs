@@ -3,7 +3,7 @@
 use glam::Vec3;
 use skeleton::{Channel, JointId, Skeleton, SkeletonError};
 
-use super::error::{Spot, is_conflict_mark};
+use super::error::is_conflict_mark;
 use super::warning::warn;
 use super::{Error, ErrorKind, Warning, WarningKind, words};
 use crate::snippet::printable;
@@ -126,7 +126,7 @@ impl Reader<'_, '_> {
 
     /// Reads the number behind `CHANNELS` and as many words.
     fn channels(&mut self) -> Result<Vec<Channel>, Error> {
-        let (declared, spot) = words::count(self.source, "the number of channels")?;
+        let (declared, place) = words::count(self.source, "the number of channels")?;
         let mut channels = Vec::new();
         loop {
             let word = self.source.peek();
@@ -143,17 +143,17 @@ impl Reader<'_, '_> {
         let listed = channels.len() as u64;
         match listed == declared {
             true => Ok(channels),
-            false => Err(self.miscounted_channels(spot, declared, listed)),
+            false => Err(self.miscounted_channels(place, declared, listed)),
         }
     }
 
     /// The list of channels is over, but at a word that may be meant as a channel, or not after as many as declared.
-    fn miscounted_channels(&mut self, spot: Spot, declared: u64, listed: u64) -> Error {
+    fn miscounted_channels(&mut self, place: Place, declared: u64, listed: u64) -> Error {
         const OTHER_WORDS: [&str; 8] = ["{", "}", "ROOT", "JOINT", "End", "OFFSET", "CHANNELS", "MOTION"];
         let is_other = OTHER_WORDS.into_iter().any(|word| self.source.is_word(word));
         match self.source.peek() {
             _ if is_other || listed > declared => {
-                Error::at(spot, self.source, ErrorKind::ChannelCount { declared, listed })
+                Error::before(place, self.source, ErrorKind::ChannelCount { declared, listed })
             }
             word if word.is_empty() || is_conflict_mark(word) => Error::unexpected(self.source, "a channel"),
             word => {

@@ -133,7 +133,7 @@ impl Numbers {
     /// Makes room for some more values. Gives false if no more are wanted.
     #[cold]
     fn make_room(&mut self) -> bool {
-        let step = LEAST_ROOM.max(self.values.len() / 2).min(self.wanted - self.values.len());
+        let step = LEAST_ROOM.max(self.values.len()).min(self.wanted - self.values.len());
         self.values.reserve_exact(step);
         self.limit = self.values.len() + step;
         step > 0
@@ -157,13 +157,17 @@ impl Numbers {
             let odd_line = self.rows.odd_line();
             let kind = ErrorKind::TooFewNumbers { frames, channels, found: self.count(), odd_line };
             return Err(match odd_line {
-                Some((line, _)) => Error::in_line(line, source, kind),
+                Some((line, _)) => Error::before(Place { line, column: 1 }, source, kind),
                 None => Error::here(source, kind),
             });
         }
         if let Some(place) = self.first_surplus {
             if let Some((line, width)) = self.rows.unfit_line(frames) {
-                return Err(Error::in_line(line, source, ErrorKind::RowWidth { width, channels }));
+                return Err(Error::before(
+                    Place { line, column: 1 },
+                    source,
+                    ErrorKind::RowWidth { width, channels },
+                ));
             }
             warn(warnings, place, WarningKind::MoreRows { declared: frames, surplus: self.surplus });
         } else if let Some((line, width)) = self.rows.uneven_line(frames) {

@@ -1,9 +1,8 @@
 //! Words that must come next.
 
 use super::Error;
-use super::error::Spot;
 use crate::number;
-use crate::source::Source;
+use crate::source::{Place, Source};
 
 /// Takes `word`, in upper or lower case.
 pub(super) fn take(source: &mut Source, word: &str, expected: &'static str) -> Result<(), Error> {
@@ -27,15 +26,15 @@ pub(super) fn number<F: number::Float>(source: &mut Source) -> Result<F, Error> 
 }
 
 /// Takes a whole number without a sign. Gives where it stands, too.
-pub(super) fn count(source: &mut Source, expected: &'static str) -> Result<(u64, Spot), Error> {
+pub(super) fn count(source: &mut Source, expected: &'static str) -> Result<(u64, Place), Error> {
     let word = source.peek();
     let length = word.len();
     let digits = Some(word).filter(|word| word.iter().all(u8::is_ascii_digit));
     match digits.and_then(|digits| std::str::from_utf8(digits).ok()).and_then(|digits| digits.parse().ok()) {
         Some(count) => {
-            let spot = Spot::next(source);
+            let place = source.place();
             source.take(length);
-            Ok((count, spot))
+            Ok((count, place))
         }
         None => Err(Error::unexpected(source, expected)),
     }
