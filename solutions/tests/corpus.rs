@@ -1,7 +1,7 @@
 //! Reads a folder of motion files and compares the reference solution with poses computed elsewhere.
 //!
-//! The folder is the workspace's `data/`, or the one that the environment variable `FK_LAB_CORPUS` names, with all folders
-//! inside it. In it, next to a motion file `X`, stands
+//! The folder is the workspace's `data/`, or the one that the environment variable `FK_LAB_CORPUS` names, with
+//! all folders inside it. In it, next to a motion file `X`, stands
 //!
 //! - `X.expected.json` (see [`Expected`]): reading must succeed and the poses must agree;
 //! - or `X.expected-error`, an empty file: reading must fail with an error that names line and column;

@@ -1,8 +1,8 @@
 //! How fast motions are read, next to the crate `bvh_anim`, in the same run.
 //!
-//! `cargo bench -p parser` prints megabytes per second, and how many times as fast this crate is. The two take turns, many
-//! rounds long. Of the speeds the best counts, because whatever else a machine does can only slow a round down. The
-//! ratio is that of the best speeds, and then the median of the ratios in each round.
+//! `cargo bench -p parser` prints megabytes per second, and how many times as fast this crate is. The two take
+//! turns, many rounds long. Of the speeds the best counts, because whatever else a machine does can only slow a
+//! round down. The ratio is that of the best speeds, and then the median of the ratios in each round.
 
 use std::fmt::Write;
 use std::hint::black_box;

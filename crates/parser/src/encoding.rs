@@ -9,8 +9,8 @@ pub(crate) enum Encoding {
     Utf16 { little_endian: bool },
 }
 
-/// Tells the encoding by the first bytes of a text (four, if it has so many), and how many of them are a mark that is
-/// no part of the text. UTF-16 without a mark is known by the zero in every second byte of plain words.
+/// Tells the encoding by the first bytes of a text (four, if it has so many), and how many of them are a mark
+/// that is no part of the text. UTF-16 without a mark is known by the zero in every second byte of plain words.
 pub(crate) fn detect(first: &[u8]) -> (Encoding, usize) {
     const LITTLE: Encoding = Encoding::Utf16 { little_endian: true };
     const BIG: Encoding = Encoding::Utf16 { little_endian: false };

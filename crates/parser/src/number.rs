@@ -13,7 +13,8 @@ pub(crate) enum BadNumber {
     TooLong,
 }
 
-/// Reads the number at the front of `text`, up to the next blank or the end of the text. Gives it, and the text behind it.
+/// Reads the number at the front of `text`, up to the next blank or the end of the text. Gives it, and the text
+/// behind it.
 #[inline(always)]
 pub(crate) fn leading(text: &[u8]) -> Result<(f32, &[u8]), BadNumber> {
     match short_decimal(text) {
@@ -53,10 +54,11 @@ pub(crate) fn parse<F: Float>(word: &[u8]) -> Result<F, BadNumber> {
     }
 }
 
-/// Reads a number such as `-12.345`, `7` or `1.2e-006`, with at most seven digits on each side of the point. `None` for
-/// anything else, also near the end of the text: there are other ways to read it.
+/// Reads a number such as `-12.345`, `7` or `1.2e-006`, with at most seven digits on each side of the point.
+/// `None` for anything else, also near the end of the text: there are other ways to read it.
 ///
-/// The value of a decimal is its digits, read as one integer, divided by a power of ten. An exponent makes it another power.
+/// The value of a decimal is its digits, read as one integer, divided by a power of ten. An exponent makes it
+/// another power.
 #[inline(always)]
 fn short_decimal(text: &[u8]) -> Option<(f32, &[u8])> {
     let negative = text.first() == Some(&b'-');
@@ -78,8 +80,8 @@ fn short_decimal(text: &[u8]) -> Option<(f32, &[u8])> {
     Some((f32::from_bits(magnitude.to_bits() | u32::from(negative) << 31), rest))
 }
 
-/// Appends the digits at the front of `text` to `number`. Gives the result, and how many digits there are; `None` if they are
-/// more than seven, or the text is so short that they could be more.
+/// Appends the digits at the front of `text` to `number`. Gives the result, and how many digits there are; `None`
+/// if they are more than seven, or the text is so short that they could be more.
 #[inline(always)]
 fn few_digits(text: &[u8], mut number: u64) -> Option<(u64, usize)> {
     // A loop over so many bytes is unrolled, and there is no end of the text to look out for.
@@ -93,8 +95,8 @@ fn few_digits(text: &[u8], mut number: u64) -> Option<(u64, usize)> {
     None
 }
 
-/// Takes the exponent at the front of `text`, and what must be the end of the word behind it, out of the number of decimals.
-/// Gives what is left of them, unless that is less than none, and the text behind the exponent.
+/// Takes the exponent at the front of `text`, and what must be the end of the word behind it, out of the number
+/// of decimals. Gives what is left of them, unless that is less than none, and the text behind the exponent.
 #[inline]
 fn take_exponent(text: &[u8], decimals: usize) -> Option<(usize, &[u8])> {
     let [b'e' | b'E', text @ ..] = text else { return None };
@@ -115,12 +117,12 @@ fn take_exponent(text: &[u8], decimals: usize) -> Option<(usize, &[u8])> {
 
 /// `number` / 10^`decimals`, rounded to the nearest `f32`, for a number below 2^53 and up to 12 decimals.
 ///
-/// An `f64` holds both sides of the division, so the quotient is rounded once, and making an `f32` of it rounds a second
-/// time. Rounding twice goes wrong only if the first rounding lands on the middle between two neighbouring `f32`s
-/// while the true quotient is next to it. Such a middle is M 2^e with M from 2^24 to 2^25, and the first rounding moves by
-/// 2^(e-29) at most. But the two are farther apart than that. With k decimals their distance is a multiple of
-/// 2^e / 5^k, and 5^12 < 2^29; or, where 2^e has no finer fraction than 2^-k, a multiple of 1 / 10^k, and then
-/// number < 2^53 means 2^e 10^k < 2^29.
+/// An `f64` holds both sides of the division, so the quotient is rounded once, and making an `f32` of it rounds a
+/// second time. Rounding twice goes wrong only if the first rounding lands on the middle between two neighbouring
+/// `f32`s while the true quotient is next to it. Such a middle is M 2^e with M from 2^24 to 2^25, and the first
+/// rounding moves by 2^(e-29) at most. But the two are farther apart than that. With k decimals their distance is
+/// a multiple of 2^e / 5^k, and 5^12 < 2^29; or, where 2^e has no finer fraction than 2^-k, a multiple of 1 /
+/// 10^k, and then number < 2^53 means 2^e 10^k < 2^29.
 #[inline]
 fn quotient(number: u64, decimals: usize) -> Option<f32> {
     const POWERS_OF_TEN: [f64; 13] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];

@@ -5,8 +5,8 @@ use std::io::{self, Read};
 use crate::Snippet;
 use crate::snippet::CONTEXT;
 
-/// The longest word or name, in bytes, that is looked at as a whole. Longer ones come back cut, one byte longer than
-/// this, so that whoever asked can tell.
+/// The longest word or name, in bytes, that is looked at as a whole. Longer ones come back cut, one byte longer
+/// than this, so that whoever asked can tell.
 pub(crate) const LONGEST_WORD: usize = 4096;
 
 /// How much is asked of the input at once: enough to make the calls rare, and little enough to stay in the cache.

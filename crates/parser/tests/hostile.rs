@@ -16,11 +16,12 @@ use proptest::sample::Index;
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-/// Memory that every reading takes: one chunk of text, room for the first numbers, and what the tests around it take.
+/// Memory that every reading takes: one chunk of text, room for the first numbers, and what the tests around it
+/// take.
 const SMALL_CHANGE: usize = 256 * 1024;
 
-/// Memory for each byte of text, at most. The worst are short joints: a joint takes some hundred bytes, and a list that grows
-/// is there twice for a moment.
+/// Memory for each byte of text, at most. The worst are short joints: a joint takes some hundred bytes, and a
+/// list that grows is there twice for a moment.
 const PER_BYTE: usize = 16;
 
 fn take_turns() -> MutexGuard<'static, ()> {

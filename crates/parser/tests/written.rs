@@ -178,8 +178,8 @@ fn any_joint() -> impl Strategy<Value = JointPlan> {
     (0usize..5, any_name(), prop::array::uniform3(any_finite()), any_channels())
 }
 
-/// The first joint is a root. Each other one hangs on one of the last joint's ancestors, on itself, or on nothing; a joint
-/// without channels may be an End Site.
+/// The first joint is a root. Each other one hangs on one of the last joint's ancestors, on itself, or on
+/// nothing; a joint without channels may be an End Site.
 fn build(plan: &[JointPlan]) -> Skeleton {
     let mut skeleton = Skeleton::new();
     // From the last joint up to its root.

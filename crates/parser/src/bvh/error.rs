@@ -204,8 +204,8 @@ impl Error {
         self.kind.help()
     }
 
-    /// An error at the next word of `source`. If the text only seems to be at fault because the system could not read on,
-    /// the error says that.
+    /// An error at the next word of `source`. If the text only seems to be at fault because the system could not
+    /// read on, the error says that.
     pub(super) fn here(source: &mut Source, kind: ErrorKind) -> Self {
         let kind = source.take_failure().map_or(kind, ErrorKind::Io);
         let place = source.place();
@@ -213,7 +213,8 @@ impl Error {
         Error { place, snippet, kind: Box::new(kind) }
     }
 
-    /// An error at a place of `source` that has been left behind. As [`Error::here`], if the system could not read on.
+    /// An error at a place of `source` that has been left behind. As [`Error::here`], if the system could not
+    /// read on.
     pub(super) fn before(place: Place, source: &mut Source, kind: ErrorKind) -> Self {
         match source.take_failure() {
             Some(cause) => Error::here(source, ErrorKind::Io(cause)),

@@ -25,7 +25,8 @@ struct Reader<'a, 'r> {
     source: &'a mut Source<'r>,
     warnings: &'a mut Vec<Warning>,
     skeleton: Skeleton,
-    /// The joints whose `}` has not come yet, the innermost last. A list, because a file can nest deeper than calls can.
+    /// The joints whose `}` has not come yet, the innermost last. A list, because a file can nest deeper than
+    /// calls can.
     open: Vec<JointId>,
     /// Where each joint's name stands.
     places: Vec<Place>,
@@ -147,7 +148,8 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// The list of channels is over, but at a word that may be meant as a channel, or not after as many as declared.
+    /// The list of channels is over, but at a word that may be meant as a channel, or not after as many as
+    /// declared.
     fn miscounted_channels(&mut self, place: Place, declared: u64, listed: u64) -> Error {
         const OTHER_WORDS: [&str; 8] = ["{", "}", "ROOT", "JOINT", "End", "OFFSET", "CHANNELS", "MOTION"];
         let is_other = OTHER_WORDS.into_iter().any(|word| self.source.is_word(word));

@@ -10,25 +10,26 @@
 //! channel   = "Xposition" | "Yposition" | "Zposition" | "Xrotation" | "Yrotation" | "Zrotation"
 //! ```
 //!
-//! - Words stand apart by blanks, tabs and line breaks, as many as you like; braces and colons stand for themselves.
-//!   Upper and lower case are the same in the format's own words. `OFFSET` and `CHANNELS` may change places.
+//! - Words stand apart by blanks, tabs and line breaks, as many as you like; braces and colons stand for
+//!   themselves. Upper and lower case are the same in the format's own words. `OFFSET` and `CHANNELS` may change
+//!   places.
 //! - A name is the rest of its line, whatever letters and blanks it holds; a lone `{` ends it too. What stands
 //!   behind `End Site` is part of that End Site's name.
-//! - After the header the numbers form one stream: frame after frame, each with one number for every channel, in the
-//!   order of the hierarchy. Where lines end does not matter as long as the numbers are as many as declared.
+//! - After the header the numbers form one stream: frame after frame, each with one number for every channel, in
+//!   the order of the hierarchy. Where lines end does not matter as long as the numbers are as many as declared.
 //! - Numbers are what [`str::parse`] reads, but finite: `1`, `-0.5`, `.5`, `5.`, `1e-006`.
 //! - Texts are UTF-8 with or without a byte order mark, or UTF-16. Lines end with LF, CRLF, or CR alone.
 //!
-//! What a reader can set right without guessing is read with a [`Warning`]; all else is an [`Error`] that says where,
-//! what was found, what was expected, and what to do.
+//! What a reader can set right without guessing is read with a [`Warning`]; all else is an [`Error`] that says
+//! where, what was found, what was expected, and what to do.
 //!
-//! What the numbers mean is said at [`skeleton::Channel`] and [`skeleton::Frame`]: rotations in degrees, in the order
-//! of the channels; a position channel takes the place of the `OFFSET` on its axis.
+//! What the numbers mean is said at [`skeleton::Channel`] and [`skeleton::Frame`]: rotations in degrees, in the
+//! order of the channels; a position channel takes the place of the `OFFSET` on its axis.
 //!
-//! The format was made by Biovision and has no standard. The common reference is M. Meredith and S. Maddock, *Motion
-//! Capture File Formats Explained* (University of Sheffield, 2001). What goes beyond it here (one or two rotation channels,
-//! position channels on any joint, leaf joints without an End Site, everything about blanks and line ends) is what files
-//! of other programs hold.
+//! The format was made by Biovision and has no standard. The common reference is M. Meredith and S. Maddock,
+//! *Motion Capture File Formats Explained* (University of Sheffield, 2001). What goes beyond it here (one or two
+//! rotation channels, position channels on any joint, leaf joints without an End Site, everything about blanks
+//! and line ends) is what files of other programs hold.
 
 mod error;
 mod hierarchy;
@@ -62,8 +63,8 @@ pub struct Reading {
 
 /// Reads a whole BVH text.
 ///
-/// `source` is read in chunks and needs no buffer of its own. Memory is taken for what has been read, never for what
-/// the text says is to come.
+/// `source` is read in chunks and needs no buffer of its own. Memory is taken for what has been read, never for
+/// what the text says is to come.
 ///
 /// # Errors
 ///

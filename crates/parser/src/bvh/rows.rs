@@ -1,7 +1,7 @@
 //! Do the lines of a motion fit its frames?
 
-/// Counts the numbers of each line. Lines do not matter to a motion, so that they are looked at only if the count of
-/// numbers is not right.
+/// Counts the numbers of each line. Lines do not matter to a motion, so that they are looked at only if the count
+/// of numbers is not right.
 #[derive(Debug)]
 pub(super) struct Rows {
     /// Numbers of a frame.

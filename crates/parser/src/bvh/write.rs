@@ -14,8 +14,8 @@ use crate::source::{LONGEST_WORD, is_blank};
 ///
 /// # Errors
 ///
-/// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and a [`WriteError`] inside, when the format cannot hold
-/// the motion. Then nothing has been written.
+/// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and a [`WriteError`] inside, when the format cannot
+/// hold the motion. Then nothing has been written.
 pub fn write(motion: &Motion, out: impl Write) -> io::Result<()> {
     check(motion).map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
     let mut out = io::BufWriter::new(out);
