@@ -27,7 +27,8 @@ pub(crate) fn ask_caught(question: &Question, functions: &Functions) -> Result<A
     result.map_err(|payload| {
         // The payload can be anything, and dropping it can panic again.
         mem::forget(payload);
-        let (message, location) = LAST_PANIC.take().unwrap_or_default();
+        // Functions that set a hook of their own leave nothing here.
+        let (message, location) = LAST_PANIC.take().unwrap_or_else(|| ("(no message)".to_owned(), None));
         Failure::Panicked { message, location }
     })
 }

@@ -90,14 +90,15 @@ impl fmt::Display for Failure {
             Failure::Panicked { message, location: None } => write!(f, "your code panicked: {message}"),
             Failure::TimedOut { limit } => write!(
                 f,
-                "your code did not come back within {} seconds: look for a loop that never ends",
+                "your code did not finish within {} seconds: look for a loop that never ends",
                 limit.as_secs_f32()
             ),
             Failure::Crashed { how } => write!(
                 f,
-                "your code ended the program ({how}): look for a function that calls itself without end, or an exit"
+                "your code ended the program ({how}): look for a function that calls itself without end, or \
+                 for `std::process::exit`"
             ),
-            Failure::NoAnswer { why } => write!(f, "no answer could be had: {why}"),
+            Failure::NoAnswer { why } => write!(f, "no answer came back: {why}"),
         }
     }
 }

@@ -58,7 +58,9 @@ fn listen() -> io::Result<(Marker, mpsc::Receiver<Question>)> {
 
 fn give_up(error: &io::Error) -> ! {
     // There is nobody left to tell when this fails too.
-    let _ =
-        writeln!(io::stderr(), "This program answers questions of `cargo view` and `cargo grade`: {error}");
+    let _ = writeln!(
+        io::stderr(),
+        "This program only answers questions: run `cargo view` or `cargo test -p fk` instead. ({error})"
+    );
     process::exit(2)
 }

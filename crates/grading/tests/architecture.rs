@@ -1,4 +1,4 @@
-//! The rules of docs/src/architecture.md that a machine can check.
+//! The rules of docs/architecture.md that a machine can check.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
 use std::collections::BTreeSet;

@@ -64,6 +64,15 @@ fn signatures_are_the_solutions() {
 }
 
 #[test]
+fn points_in_the_students_file_are_the_rubrics() {
+    let solution = fs::read_to_string(workspace().join("solutions/src/fk.rs")).unwrap();
+    for (number, part) in (1..).zip(fk::RUBRIC.parts) {
+        let heading = format!("/// Part {number} ({} points): ", part.points());
+        assert!(solution.contains(&heading), "there is no {heading:?} in solutions/src/fk.rs");
+    }
+}
+
+#[test]
 fn the_motion_file_in_the_handout_can_be_read() {
     let chapter = &texts()["docs/fk.md"];
     let blocks = code_blocks(chapter);

@@ -6,6 +6,7 @@ mod support;
 use std::process::Output;
 use std::sync::{Mutex, PoisonError};
 
+use grading::fk;
 use solutions::template;
 
 use support::Course;
@@ -15,18 +16,26 @@ const SOLUTION: &str = include_str!("../../../solutions/src/fk.rs");
 #[test]
 fn the_template_gets_nothing_and_is_told_not_started() {
     let run = grade(&template(), &[]);
-    assert_eq!(run.points, ["0 of 5  not started"; 3], "{}", run.text);
+    assert_eq!(run.points, [0, 1, 2].map(|part| marks(part, ALL, "not started")), "{}", run.text);
     assert!(!run.output.status.success());
-    assert!(run.text.contains("Forward kinematics: 0 of 15 points."), "{}", run.text);
+    assert!(
+        run.text.contains(&format!("Forward kinematics: 0 of {} points.", fk::RUBRIC.points())),
+        "{}",
+        run.text
+    );
     assert!(!run.text.contains("warning"), "{}", run.text);
 }
 
 #[test]
 fn the_solution_gets_everything() {
     let run = grade(SOLUTION, &[]);
-    assert_eq!(run.points, ["5 of 5  right"; 3], "{}", run.text);
+    assert_eq!(run.points, [0, 1, 2].map(right), "{}", run.text);
     assert!(run.output.status.success(), "{}", run.text);
-    assert!(run.text.contains("Forward kinematics: 15 of 15 points."), "{}", run.text);
+    assert!(
+        run.text.contains(&format!("Forward kinematics: {0} of {0} points.", fk::RUBRIC.points())),
+        "{}",
+        run.text
+    );
     assert!(run.text.contains("whole motion: right"), "{}", run.text);
 }
 
@@ -35,8 +44,7 @@ fn a_part_that_is_all_wrong_costs_its_five_points() {
     let source = solution_with("pose[parent].position + pose[parent].rotation * local_position", "Vec3::NAN")
         .replace("None => local_position", "None => Vec3::NAN");
     let run = grade(&source, &[]);
-    assert_eq!(run.points, ["5 of 5  right", "5 of 5  right", "0 of 5  wrong"], "{}", run.text);
-    assert!(run.text.contains("Forward kinematics: 10 of 15 points."), "{}", run.text);
+    assert_eq!(run.points, [right(0), right(1), marks(2, ALL, "wrong")], "{}", run.text);
     assert!(run.text.contains("> Hips") && run.text.contains("the first wrong joint"), "{}", run.text);
 }
 
@@ -44,7 +52,12 @@ fn a_part_that_is_all_wrong_costs_its_five_points() {
 fn a_misconception_is_named_and_the_first_wrong_joint_is_marked() {
     let source = solution_with("pose[parent].rotation * local,", "local * pose[parent].rotation,");
     let run = grade(&source, &[]);
-    assert_eq!(run.points, ["5 of 5  right", "1 of 5  partly right", "5 of 5  right"], "{}", run.text);
+    assert_eq!(
+        run.points,
+        [right(0), marks(1, &["child", "branch", "deep"], "partly right"), right(2)],
+        "{}",
+        run.text
+    );
     assert!(run.text.contains("You multiply in the wrong order: local times parent."), "{}", run.text);
     assert!(run.text.contains(">   LeftUpLeg "), "{}", run.text);
 }
@@ -52,7 +65,7 @@ fn a_misconception_is_named_and_the_first_wrong_joint_is_marked() {
 #[test]
 fn a_filter_asks_one_part() {
     let run = grade(SOLUTION, &["part2"]);
-    assert_eq!(run.points, ["5 of 5  right"], "{}", run.text);
+    assert_eq!(run.points, [right(1)], "{}", run.text);
     assert!(run.output.status.success(), "{}", run.text);
     assert!(run.text.contains("1 passed; 0 failed; 0 ignored; 0 measured; 3 filtered out"), "{}", run.text);
 }
@@ -62,7 +75,7 @@ fn a_panic_costs_the_checks_that_it_happens_in() {
     let source =
         solution_with("        return Quat::IDENTITY;\n", "        panic!(\"NONE is new to me\");\n");
     let run = grade(&source, &[]);
-    assert_eq!(run.points, ["4 of 5  partly right", "5 of 5  right", "5 of 5  right"], "{}", run.text);
+    assert_eq!(run.points, [marks(0, &["cursor"], "partly right"), right(1), right(2)], "{}", run.text);
     assert!(run.text.contains("exercises/fk/src/fk.rs:"), "{}", run.text);
     assert!(run.text.contains("NONE is new to me"), "{}", run.text);
 }
@@ -71,8 +84,8 @@ fn a_panic_costs_the_checks_that_it_happens_in() {
 fn an_endless_loop_costs_the_check_that_it_happens_in() {
     let source = solution_with("        return Quat::IDENTITY;\n", "        loop {}\n");
     let run = grade(&source, &[]);
-    assert_eq!(run.points, ["4 of 5  partly right", "5 of 5  right", "5 of 5  right"], "{}", run.text);
-    assert!(run.text.contains("did not come back within 10 seconds"), "{}", run.text);
+    assert_eq!(run.points, [marks(0, &["cursor"], "partly right"), right(1), right(2)], "{}", run.text);
+    assert!(run.text.contains("did not finish within 10 seconds"), "{}", run.text);
 }
 
 #[test]
@@ -82,7 +95,12 @@ fn a_function_that_calls_itself_without_end_costs_its_part() {
         "Some(_) => global_quaternion(joint, local, pose),",
     );
     let run = grade(&source, &[]);
-    assert_eq!(run.points, ["5 of 5  right", "1 of 5  partly right", "5 of 5  right"], "{}", run.text);
+    assert_eq!(
+        run.points,
+        [right(0), marks(1, &["child", "branch", "deep"], "partly right"), right(2)],
+        "{}",
+        run.text
+    );
     assert!(run.text.contains("your code ended the program"), "{}", run.text);
 }
 
@@ -93,7 +111,7 @@ fn what_the_student_prints_reaches_the_terminal() {
         "    println!(\"I am {}\", joint.name);\n    match joint.parent {",
     );
     let run = grade(&source, &["part2"]);
-    assert_eq!(run.points, ["5 of 5  right"], "{}", run.text);
+    assert_eq!(run.points, [right(1)], "{}", run.text);
     assert!(run.text.contains("\nI am Hips\n"), "{}", run.text);
 }
 
@@ -115,6 +133,20 @@ fn colours_are_there_when_they_are_wanted_and_not_when_they_are_not() {
 fn no_colours_where_there_is_no_terminal() {
     let run = grade(&template(), &[]);
     assert!(!run.text.contains('\x1b'), "{}", run.text);
+}
+
+/// All checks of a part.
+const ALL: &[&str] = &[];
+
+/// What the summary says of a part (counted from 0) in which these checks are lost.
+fn marks(part: usize, lost: &[&str], state: &str) -> String {
+    let part = &fk::RUBRIC.parts[part];
+    let kept = part.checks.iter().filter(|check| !lost.is_empty() && !lost.contains(&check.id));
+    format!("{} of {}  {state}", kept.map(|check| check.points).sum::<u32>(), part.points())
+}
+
+fn right(part: usize) -> String {
+    marks(part, &["none of them"], "right")
 }
 
 fn template() -> String {

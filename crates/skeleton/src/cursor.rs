@@ -8,13 +8,12 @@
 pub struct FrameCursor<'a> {
     angles: &'a [f32],
     next: usize,
-    overrun: bool,
 }
 
 impl<'a> FrameCursor<'a> {
     /// A cursor in front of the first of `angles` (degrees).
     pub fn new(angles: &'a [f32]) -> Self {
-        FrameCursor { angles, next: 0, overrun: false }
+        FrameCursor { angles, next: 0 }
     }
 
     /// Gives the next three angles, in degrees, and moves past them. Behind the last angle it gives zeros.
@@ -24,10 +23,9 @@ impl<'a> FrameCursor<'a> {
 
     /// Gives the next angle, in degrees, and moves past it. Behind the last angle it gives zero.
     pub fn take(&mut self) -> f32 {
-        let angle = self.angles.get(self.next).copied();
-        self.overrun |= angle.is_none();
+        let angle = self.angles.get(self.next).copied().unwrap_or(0.0);
         self.next = self.next.saturating_add(1);
-        angle.unwrap_or(0.0)
+        angle
     }
 
     /// Gives the next three angles, in degrees, without moving. Behind the last angle it gives zeros.
@@ -42,6 +40,6 @@ impl<'a> FrameCursor<'a> {
 
     /// Whether an angle was taken where there was none left.
     pub fn overrun(&self) -> bool {
-        self.overrun
+        self.next > self.angles.len()
     }
 }

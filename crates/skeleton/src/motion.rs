@@ -8,7 +8,6 @@ use crate::{Channel, Skeleton};
 
 /// A skeleton and its movement: for every frame one row with a number for every channel, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion {
     skeleton: Skeleton,
     frame_count: usize,
@@ -86,7 +85,6 @@ impl Motion {
 
 /// What a position channel does to the OFFSET component on its axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum PositionChannels {
     /// It takes its place. Most files mean this.
     #[default]

@@ -13,6 +13,7 @@ use crate::{Channel, Joint, JointId, RotationOrder};
 /// which keep that order true.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "Vec<Joint>", into = "Vec<Joint>"))]
 pub struct Skeleton {
     joints: Vec<Joint>,
     channel_count: usize,
@@ -144,6 +145,29 @@ impl Skeleton {
         let low = positions.iter().fold(first, |low, &p| low.min(p));
         let high = positions.iter().fold(first, |high, &p| high.max(p));
         low.distance(high)
+    }
+}
+
+impl From<Skeleton> for Vec<Joint> {
+    fn from(skeleton: Skeleton) -> Self {
+        skeleton.joints
+    }
+}
+
+/// Builds the skeleton anew, so that what holds for one that was built joint by joint holds for this one too. Ids and
+/// rotation orders are those that follow from the joints' order and channels.
+impl TryFrom<Vec<Joint>> for Skeleton {
+    type Error = SkeletonError;
+
+    fn try_from(joints: Vec<Joint>) -> Result<Self, SkeletonError> {
+        let mut skeleton = Skeleton::new();
+        for Joint { name, parent, offset, channels, is_end_site, .. } in joints {
+            match (parent, is_end_site) {
+                (Some(parent), true) => skeleton.add_end_site(parent, name, offset)?,
+                _ => skeleton.add_joint(parent, name, offset, channels)?,
+            };
+        }
+        Ok(skeleton)
     }
 }
 

@@ -4,7 +4,7 @@
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use skeleton::{
-    Axis, Channel, FkFunctions, Frame, FrameCursor, JointId, Leftover, Motion, Pose, PositionChannels,
+    Axis, Channel, FkFunctions, Frame, FrameCursor, Joint, JointId, Leftover, Motion, Pose, PositionChannels,
     RotationOrder, Skeleton, SkeletonError, pose_frame,
 };
 
@@ -103,6 +103,17 @@ mod skeleton_tree {
             Err(SkeletonError::RepeatedChannel(Rotation(X)))
         );
         assert_eq!(skeleton.len(), 2);
+    }
+
+    #[test]
+    fn is_built_anew_from_its_joints() {
+        let mut skeleton = Skeleton::new();
+        let root = skeleton.add_joint(None, "root", Vec3::X, [Rotation(Z), Position(X)]).unwrap();
+        skeleton.add_end_site(root, "End Site", Vec3::Y).unwrap();
+        let mut joints: Vec<Joint> = skeleton.clone().into();
+        assert_eq!(Skeleton::try_from(joints.clone()), Ok(skeleton));
+        joints.swap(0, 1);
+        assert_eq!(Skeleton::try_from(joints), Err(SkeletonError::UnknownParent(root)));
     }
 
     #[test]

@@ -15,7 +15,7 @@ use crate::student::Status;
 
 /// One picture: the name of its file, and how it is made.
 pub struct Picture {
-    /// The file's name in `docs/src/pictures/`, without `.png`.
+    /// The file's name in `docs/pictures/`, without `.png`.
     pub name: &'static str,
     draw: fn(&mut Studio) -> Canvas,
 }

@@ -24,7 +24,7 @@ fn studio() -> Studio {
 }
 
 fn folder() -> PathBuf {
-    workspace().join("docs").join("src").join("pictures")
+    workspace().join("docs").join("pictures")
 }
 
 fn read(path: &Path) -> Vec<[u8; 3]> {

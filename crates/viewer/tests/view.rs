@@ -32,13 +32,13 @@ fn golden(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join("golden").join(name)
 }
 
-/// Compares with the golden file, or writes it when UPDATE_GOLDEN is set.
+/// Compares with the golden file, or writes it when FK_LAB_BLESS is set.
 fn assert_golden(name: &str, text: &str) {
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+    if std::env::var_os("FK_LAB_BLESS").is_some() {
         fs::write(golden(name), text).unwrap();
     }
     let expected = fs::read_to_string(golden(name)).unwrap().replace("\r\n", "\n");
-    assert!(text == expected, "{name} differs; if that is right, set UPDATE_GOLDEN=1. Now it is:\n{text}");
+    assert!(text == expected, "{name} differs; if that is right, set FK_LAB_BLESS=1. Now it is:\n{text}");
 }
 
 fn read_png(path: &Path) -> (u32, u32, Vec<[u8; 3]>) {

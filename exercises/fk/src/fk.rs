@@ -4,7 +4,9 @@
 //! calls them for every joint of the skeleton, once per frame, always a parent before its children.
 //!
 //! - Try it: `cargo view` opens a window in which the joints move as your functions say.
-//! - Check it: `cargo test -p fk` tells your points and what to do next; `cargo test -p fk part1` asks part 1 alone.
+//! - Check it: `cargo test -p fk` shows your points and what to do next; `cargo test -p fk part1` checks part 1 only.
+//!
+//! Each function is also checked by itself: use only what it is given, and keep nothing between calls.
 //!
 //! All axes are right-handed. Angles in a motion are in degrees. A quaternion is written (x, y, z, w), and `a * b`
 //! is the rotation that does `b` first and `a` after it.
@@ -13,7 +15,7 @@ use glam::{Quat, Vec3};
 #[allow(unused_imports)] // You may need all of them.
 use skeleton::{Axis, FrameCursor, Joint, Pose, RotationOrder};
 
-/// Part 1 (5 points): how a joint is turned against its parent.
+/// Part 1 (5 points): how a joint is turned relative to its parent.
 ///
 /// **In:** the `joint`, and the `frame` from which every joint takes its own three angles, in degrees.
 /// `frame.take3()` gives the next three and moves on, so that the next joint finds its own.
@@ -22,14 +24,14 @@ use skeleton::{Axis, FrameCursor, Joint, Pose, RotationOrder};
 ///
 /// **Out:** the joint's local rotation as a unit quaternion; without angles, no rotation.
 ///
-/// The three rotations follow each other about axes that turn along with the joint (Euler angles, not fixed
+/// Each rotation is about the joint's own axes, as the rotations before it have left them (Euler angles, not fixed
 /// angles). A turn by the angle `a` about the unit axis `u` is the quaternion (u sin(a/2), cos(a/2)), where `a` is
 /// in radians: degrees times π/180.
 ///
 /// **Example.** With the order `Zyx` and the angles 90, 0, 0 the joint makes a quarter turn about Z. The quaternion is
 /// (0, 0, 0.7071, 0.7071), and what pointed along X now points along Y.
 pub fn local_quaternion(joint: &Joint, frame: &mut FrameCursor) -> Quat {
-    let _ = (joint, &frame); // Only so that nothing is unused yet: take it out when you begin.
+    let _ = (joint, &frame); // Keeps the compiler quiet for now. Delete this line when you start.
     Quat::IDENTITY
 }
 
@@ -37,11 +39,11 @@ pub fn local_quaternion(joint: &Joint, frame: &mut FrameCursor) -> Quat {
 ///
 /// **In:** the `joint`, its `local` rotation from part 1, and the `pose`, which holds the global transforms of all
 /// joints before this one. `joint.parent` is `Some(parent)`, and then `pose[parent].rotation` is the parent's global
-/// rotation. It is `None` for a root, which hangs on nothing.
+/// rotation. It is `None` for a root, which has no parent.
 ///
 /// **Out:** the joint's global rotation as a unit quaternion.
 ///
-/// You need not walk up the skeleton: the parent's rotation has already gathered all those above it.
+/// You need not walk up the skeleton: the parent's rotation already combines all those above it.
 ///
 /// **Example.** The parent is turned a quarter about Z, the joint a quarter about its own X. The joint's own X axis
 /// then points along the world's Y, and its own Y axis along the world's Z: (0.5, 0.5, 0.5, 0.5).

@@ -20,13 +20,13 @@ fn make() -> Result<(), String> {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join("..");
     let motion = parser::bvh::read_file(workspace.join("data").join("running.bvh"));
     let mut studio = Studio::new(motion.map_err(|error| error.to_string())?.motion);
-    let folder = workspace.join("docs").join("src").join("pictures");
+    let folder = workspace.join("docs").join("pictures");
     std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     for made in PICTURES {
         let name = format!("{}.png", made.name);
         picture::save(&made.draw(&mut studio), &folder.join(&name))
             .map_err(|error| format!("{name}: {error}"))?;
-        println!("docs/src/pictures/{name}");
+        println!("docs/pictures/{name}");
     }
     Ok(())
 }
