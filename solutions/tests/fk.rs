@@ -22,7 +22,7 @@ mod local_quaternion {
     #[test]
     fn leaves_the_cursor_alone_when_there_is_no_order() {
         let mut cursor = FrameCursor::new(&[1.0, 2.0, 3.0]);
-        assert_eq!(super::local_quaternion(&joint(RotationOrder::None), &mut cursor), Quat::IDENTITY);
+        assert_eq!(local_quaternion(&joint(RotationOrder::None), &mut cursor), Quat::IDENTITY);
         assert_eq!(cursor.taken(), 0);
     }
 
@@ -42,7 +42,7 @@ mod local_quaternion {
 
     fn local(order: RotationOrder, angles: [f32; 3]) -> Quat {
         let mut cursor = FrameCursor::new(&angles);
-        let q = super::local_quaternion(&joint(order), &mut cursor);
+        let q = local_quaternion(&joint(order), &mut cursor);
         assert_eq!((cursor.taken(), cursor.overrun()), (3, false));
         q
     }
@@ -66,7 +66,7 @@ mod global_quaternion {
     fn puts_the_parents_rotation_in_front() {
         let parent = Quat::from_rotation_z(90_f32.to_radians());
         let local = Quat::from_rotation_x(90_f32.to_radians());
-        let global = super::global_quaternion(&child(), local, &pose(parent, Vec3::ZERO));
+        let global = global_quaternion(&child(), local, &pose(parent, Vec3::ZERO));
         assert_abs_diff_eq!(global, Quat::from_xyzw(0.5, 0.5, 0.5, 0.5), epsilon = 1e-6);
         assert_abs_diff_eq!(global * Vec3::X, Vec3::Y, epsilon = 1e-6);
         assert_abs_diff_eq!(global * Vec3::Y, Vec3::Z, epsilon = 1e-6);
@@ -76,7 +76,7 @@ mod global_quaternion {
     fn of_a_root_is_its_local_one() {
         let local = Quat::from_rotation_x(1.0);
         let nobody = Pose::identity(1);
-        assert_eq!(super::global_quaternion(&joint(RotationOrder::Xyz), local, &nobody), local);
+        assert_eq!(global_quaternion(&joint(RotationOrder::Xyz), local, &nobody), local);
     }
 }
 
@@ -86,14 +86,14 @@ mod global_position {
     #[test]
     fn begins_at_the_parent_and_goes_along_its_axes() {
         let pose = pose(Quat::from_rotation_z(90_f32.to_radians()), Vec3::new(10.0, 0.0, 0.0));
-        let position = super::global_position(&child(), Vec3::new(2.0, 0.0, 0.0), &pose);
+        let position = global_position(&child(), Vec3::new(2.0, 0.0, 0.0), &pose);
         assert_abs_diff_eq!(position, Vec3::new(10.0, 2.0, 0.0), epsilon = 1e-5);
     }
 
     #[test]
     fn of_a_root_is_its_local_one() {
         let nobody = Pose::identity(1);
-        assert_eq!(super::global_position(&joint(RotationOrder::Xyz), Vec3::ONE, &nobody), Vec3::ONE);
+        assert_eq!(global_position(&joint(RotationOrder::Xyz), Vec3::ONE, &nobody), Vec3::ONE);
     }
 
     proptest! {
@@ -106,7 +106,7 @@ mod global_position {
             let [x, y, z] = angles;
             let rotation = Quat::from_rotation_x(x) * Quat::from_rotation_y(y) * Quat::from_rotation_z(z);
             let (at, bone) = (Vec3::from(at), Vec3::from(bone));
-            let position = super::global_position(&child(), bone, &pose(rotation, at));
+            let position = global_position(&child(), bone, &pose(rotation, at));
             assert_abs_diff_eq!(position.distance(at), bone.length(), epsilon = 1e-3);
         }
     }
