@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread::{self, JoinHandle};
+use std::thread;
 use std::time::Duration;
 
 use exam::fk::PosedFrame;
@@ -37,8 +37,8 @@ pub enum Status {
     Failed(Trouble),
 }
 
-/// The student's functions at work on one motion. Nothing here ever waits for them, except the end of its life: a
-/// worker that is busy is given [`PATIENCE`] and then ended.
+/// The student's functions at work on one motion. Nothing here ever waits for them. A worker that is still busy when the
+/// viewer ends notices that, and ends too.
 pub struct Student {
     frame_count: usize,
     batch_size: usize,
@@ -47,9 +47,8 @@ pub struct Student {
     asked: Option<usize>,
     ready: bool,
     trouble: Option<Trouble>,
-    requests: Option<Sender<usize>>,
+    requests: Sender<usize>,
     events: Receiver<Event>,
-    thread: Option<JoinHandle<()>>,
 }
 
 enum Event {
@@ -86,7 +85,7 @@ impl Student {
             }
         };
         let thread = thread::Builder::new().name("student".into()).spawn(work);
-        let trouble = thread.as_ref().err().map(|error| Trouble {
+        let trouble = thread.err().map(|error| Trouble {
             headline: "your functions cannot be asked".into(),
             details: vec![error.to_string()],
         });
@@ -97,9 +96,8 @@ impl Student {
             asked: None,
             ready: false,
             trouble,
-            requests: Some(requests),
+            requests,
             events,
-            thread: thread.ok(),
         }
     }
 
@@ -119,9 +117,9 @@ impl Student {
         }
         if self.ready && self.asked.is_none() && self.trouble.is_none() {
             self.asked = self.next_needed(frame);
-            if let (Some(batch), Some(requests)) = (self.asked, &self.requests) {
+            if let Some(batch) = self.asked {
                 // When the thread has ended, its last event tells why.
-                let _ = requests.send(batch);
+                let _ = self.requests.send(batch);
             }
         }
         self.status(frame)
@@ -156,16 +154,6 @@ impl Student {
                 return;
             };
             self.batches.remove(&farthest);
-        }
-    }
-}
-
-impl Drop for Student {
-    /// Sees to it that no worker outlives the viewer. A compiler may: it ends by itself.
-    fn drop(&mut self) {
-        self.requests = None;
-        if let Some(thread) = self.thread.take().filter(|_| self.ready) {
-            let _ = thread.join();
         }
     }
 }
@@ -207,7 +195,6 @@ impl From<Failure> for Trouble {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::{AtomicBool, Ordering};
     use std::time::Instant;
 
     use exam::{Functions, InProcess};
@@ -265,28 +252,6 @@ mod tests {
         update_until(&mut student, 0, |student| matches!(student.status(0), Status::Failed(_)));
         let Status::Failed(trouble) = student.status(0) else { panic!() };
         assert!(trouble.headline.contains("student.rs") && trouble.headline.contains("index out of bounds"));
-    }
-
-    #[test]
-    fn no_worker_outlives_the_student() {
-        struct Worker(Arc<AtomicBool>);
-        impl Subject for Worker {
-            fn ask(&mut self, _: &Question, _: Duration) -> Result<Answer, Failure> {
-                thread::sleep(Duration::from_millis(50));
-                Err(Failure::NoAnswer { why: String::new() })
-            }
-        }
-        impl Drop for Worker {
-            fn drop(&mut self) {
-                self.0.store(true, Ordering::SeqCst);
-            }
-        }
-        let gone = Arc::new(AtomicBool::new(false));
-        let worker = Worker(gone.clone());
-        let mut student = Student::start(stage(10), move || Ok(worker));
-        update_until(&mut student, 0, |student| student.asked.is_some());
-        drop(student);
-        assert!(gone.load(Ordering::SeqCst));
     }
 
     #[test]

@@ -138,7 +138,7 @@ pub struct NoWindow {
 impl fmt::Display for NoWindow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "No window can be opened here: {}.", self.why)?;
-        writeln!(f, "A picture works without one: cargo view --png picture.png --frame 0")?;
+        writeln!(f, "A picture works without one: add --png picture.png --frame 0 to the command.")?;
         write!(f, "{}", advice())
     }
 }
