@@ -50,9 +50,10 @@ impl Motion {
         self.frame_time
     }
 
-    /// The seconds from one frame to the next, or 1/30 where the file says zero, less, or something endless.
+    /// The seconds from one frame to the next, or 1/30 where nobody could see what the file says: less than a
+    /// millionth of a second, more than a million seconds, or no number.
     pub fn playable_frame_time(&self) -> f64 {
-        if self.frame_time.is_finite() && self.frame_time > 0.0 { self.frame_time } else { 1.0 / 30.0 }
+        if (1e-6..=1e6).contains(&self.frame_time) { self.frame_time } else { 1.0 / 30.0 }
     }
 
     /// All rows, one behind the other.

@@ -182,7 +182,7 @@ mod motion {
     #[test]
     fn what_cannot_be_played_is_played_at_30_per_second() {
         let skeleton = Skeleton::new();
-        for odd in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        for odd in [0.0, -1.0, 5e-324, 1e-7, 1e7, f64::NAN, f64::INFINITY] {
             let motion = Motion::new(skeleton.clone(), 0, odd, vec![]).unwrap();
             assert_eq!(motion.playable_frame_time(), 1.0 / 30.0);
         }
