@@ -74,6 +74,9 @@ pub fn run() -> ExitCode {
 
 fn view(arguments: &Arguments) -> Result<(), String> {
     let path = arguments.file.clone().unwrap_or_else(|| workspace().join("data").join("running.bvh"));
+    if let Some(picture) = &arguments.png {
+        check_target(picture, &path)?;
+    }
     let bvh::Reading { motion, warnings } = bvh::read_file(&path).map_err(text)?;
     let title = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
     let warnings: Vec<String> = warnings.iter().map(text).collect();
@@ -100,6 +103,32 @@ fn report(title: &str, motion: &skeleton::Motion, warnings: &[String]) -> String
         some => some.iter().map(|warning| format!("warning          {warning}\n")).collect(),
     };
     format!("{title}\n\n{}\n{}{warnings}", print::tree(motion.skeleton()), print::summary(motion))
+}
+
+/// Sees to it that no motion is lost because its name stands where the picture's belongs.
+fn check_target(picture: &Path, motion: &Path) -> Result<(), String> {
+    let ends_in = |ending: &str| picture.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+    if ends_in("bvh") {
+        let name = picture.file_name().unwrap_or_default().display();
+        let path = picture.display().to_string();
+        let quote = if path.contains(' ') { "\"" } else { "" };
+        return Err(format!(
+            "--png names the picture to write; to show {name}: cargo view {quote}{path}{quote} --png picture.png"
+        ));
+    }
+    if !ends_in("png") {
+        return Err(format!(
+            "--png names the picture to write, and that name ends in .png: {} does not",
+            picture.display()
+        ));
+    }
+    // Neither can be found when it does not exist; then there is nothing to lose.
+    if let (Ok(target), Ok(motion)) = (picture.canonicalize(), motion.canonicalize())
+        && target == motion
+    {
+        return Err(format!("{} is the motion: the picture needs a name of its own", picture.display()));
+    }
+    Ok(())
 }
 
 fn write_picture(
@@ -134,7 +163,8 @@ fn write_picture(
     if let Status::Failed(trouble) = &status {
         eprintln!("{}: the picture shows only the goal", trouble.headline);
     }
-    picture::save(&canvas, path).map_err(|error| format!("{}: {error}", path.display()))?;
+    picture::save(&canvas, path)
+        .map_err(|error| format!("the picture cannot be written to {}: {error}", path.display()))?;
     say(&format!("{}: frame {frame}, {} x {} pixels\n", path.display(), canvas.size().0, canvas.size().1));
     Ok(())
 }

@@ -64,13 +64,8 @@ impl Painter {
                     _ => "Z",
                 };
                 if let Some(spot) = view.project(tip) {
-                    self.haloed(
-                        letter,
-                        (spot.x as i32 - 5, spot.y as i32 + 5),
-                        Weight::Bold,
-                        color_of(tint),
-                        canvas,
-                    );
+                    let place = ((spot.x as i32).saturating_sub(5), (spot.y as i32).saturating_add(5));
+                    self.haloed(letter, place, Weight::Bold, color_of(tint), canvas);
                 }
             }
         }
@@ -94,12 +89,17 @@ impl Painter {
             canvas.line(spot, toward, Pen { width: 1.0, color: color_of(mark.tint), opacity: 0.6 });
         }
         let left = (spot.x as i32).saturating_add(start);
-        let baseline = (spot.y as i32).saturating_add(down + 5);
+        let baseline = (spot.y as i32).saturating_add(down.saturating_add(5));
         self.haloed(&mark.text, (left, baseline), Weight::Bold, color_of(mark.tint), canvas);
     }
 
-    /// Text with a light edge, so that it can be read on anything.
+    /// Text with a light edge, so that it can be read on anything. Nothing, where it would be outside of the picture.
     fn haloed(&mut self, text: &str, (x, y): (i32, i32), weight: Weight, color: Color, canvas: &mut Canvas) {
+        let (width, height) = (canvas.size().0 as i32, canvas.size().1 as i32);
+        let (room, tall) = (self.typeface.width(text, TEXT_SIZE, weight) as i32 + 2, TEXT_SIZE as i32 + 2);
+        if !(-room..=width).contains(&x) || !(-tall..=height + tall).contains(&y) {
+            return;
+        }
         for (right, down) in [(-1, -1), (1, -1), (-1, 1), (1, 1), (0, -1), (0, 1), (-1, 0), (1, 0)] {
             let place = (x.saturating_add(right), y.saturating_add(down));
             canvas.text(&mut self.typeface, text, place, TEXT_SIZE, weight, PAPER);
@@ -306,6 +306,38 @@ mod tests {
             scene.camera.distance = raw[11];
             scene.camera.target.y = raw[12];
             draw(&scene, &mut canvas);
+        }
+    }
+
+    #[test]
+    fn letters_far_outside_of_the_picture_are_left_out() {
+        let level = |mut scene: Scene| {
+            (scene.camera.azimuth, scene.camera.elevation) = (0.0, 0.0);
+            scene
+        };
+        let mut empty = Canvas::new(64, 48);
+        draw(&level(scene(Vec::new())), &mut empty);
+        for far in [1e6f32, 1e12, 1e30, -1e6, -1e12, -1e30] {
+            for aside in [Vec3::X, Vec3::Y] {
+                let mut scene = level(scene(Vec::new()));
+                let view = scene.camera.view((64, 48));
+                // In front of the camera, and farther aside than whole pixels can be counted.
+                let origin = aside * far;
+                assert!(view.project(origin).is_some());
+                let axes = vec![Axes { origin, rotation: Quat::IDENTITY, lettered: true }];
+                scene.figures.push(Figure { axes, ..figure(Vec::new()) });
+                let mark = Mark {
+                    from: None,
+                    to: origin,
+                    text: "far".into(),
+                    text_offset: (i32::MAX, i32::MAX),
+                    tint: Tint::Ink,
+                };
+                scene.marks.push(mark);
+                let mut canvas = Canvas::new(64, 48);
+                draw(&scene, &mut canvas);
+                assert!(canvas.pixels() == empty.pixels(), "{far} {aside}");
+            }
         }
     }
 

@@ -1,20 +1,30 @@
 //! Pictures as PNG files.
 
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::ffi::OsString;
+use std::fs;
+use std::io;
 use std::path::Path;
 
 use crate::canvas::{Canvas, Color};
 
-/// Writes `canvas` as a PNG file, in place of any file that is there.
+/// Writes `canvas` as a PNG file, in place of any file that is there. What is there is lost only when the whole picture
+/// has been written.
 ///
 /// # Errors
 ///
 /// When the file cannot be written.
 pub fn save(canvas: &Canvas, path: &Path) -> io::Result<()> {
-    let mut file = BufWriter::new(File::create(path)?);
-    file.write_all(&encode(canvas)?)?;
-    file.flush()
+    let bytes = encode(canvas)?;
+    let mut name = OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(format!(".{}.tmp", std::process::id()));
+    let beside = path.with_file_name(name);
+    let saved = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path));
+    if saved.is_err() {
+        // It may not even be there; what went wrong first is worth telling.
+        let _ = fs::remove_file(&beside);
+    }
+    saved
 }
 
 /// `canvas` as the bytes of a PNG file, 8 bits per channel, without transparency.
@@ -33,4 +43,31 @@ pub fn encode(canvas: &Canvas) -> io::Result<Vec<u8>> {
     writer.write_image_data(&data).map_err(io::Error::other)?;
     writer.finish().map_err(io::Error::other)?;
     Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_that_cannot_be_put_in_its_place_leaves_everything_as_it_was() {
+        let folder = tempfile::tempdir().unwrap();
+        let taken = folder.path().join("taken.png");
+        fs::create_dir(&taken).unwrap();
+        fs::write(taken.join("precious"), "x").unwrap();
+        assert!(save(&Canvas::new(4, 4), &taken).is_err());
+        assert!(taken.join("precious").exists());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "nothing is left lying about");
+    }
+
+    #[test]
+    fn a_picture_takes_the_place_of_an_older_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("picture.png");
+        fs::write(&path, "older").unwrap();
+        let canvas = Canvas::new(4, 4);
+        save(&canvas, &path).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), encode(&canvas).unwrap());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
 }

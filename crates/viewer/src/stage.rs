@@ -22,8 +22,9 @@ pub struct Stage {
     azimuth: f32,
 }
 
-/// The most frames that are looked at to learn how large a motion is.
-const SAMPLES: usize = 120;
+/// The most frames that are looked at to learn how large a motion is, and the most joints in all of them together.
+const MOST_SAMPLES: usize = 120;
+const MOST_SAMPLED_JOINTS: usize = 1_000_000;
 
 /// The camera's height above the horizon, in radians.
 const ELEVATION: f32 = 0.2;
@@ -41,41 +42,58 @@ impl Stage {
             level: None,
             azimuth: 0.6,
         };
-        let step = stage.frame_count().div_ceil(SAMPLES);
-        let samples: Vec<Pose> = (0..stage.frame_count()).step_by(step).map(|i| stage.reference(i)).collect();
-        stage.measure(&samples);
+        stage.measure();
         stage
     }
 
-    fn measure(&mut self, samples: &[Pose]) {
-        let places = |pose: &Pose| pose.transforms().iter().map(|t| t.position).collect::<Vec<_>>();
-        let all: Vec<Vec3> = samples.iter().flat_map(places).filter(|place| place.is_finite()).collect();
-        let roots: Vec<Vec3> = samples.iter().map(root).filter(|root| root.is_finite()).collect();
-        let (lowest, _) = bounds(&all);
+    fn measure(&mut self) {
+        let (mut all, mut roots) = (Bounds::default(), Bounds::default());
+        let (mut first_root, mut ways) = (None, Vec::new());
+        self.sample(|_, pose| {
+            pose.transforms().iter().for_each(|transform| all.add(transform.position));
+            let root = root(pose);
+            roots.add(root);
+            if root.is_finite() {
+                ways.push(root - *first_root.get_or_insert(root));
+            }
+        });
 
         // A skeleton without length may still move; one that does not is a single point, of any size.
         let usable = |size: &f32| size.is_finite() && *size > 0.0;
-        let sizes = [self.motion.skeleton().extent(), bounds(&all).0.distance(bounds(&all).1)];
+        let sizes = [self.motion.skeleton().extent(), all.low.distance(all.high)];
         self.size = sizes.into_iter().find(usable).unwrap_or(1.0);
 
         // Most motions stand on the plane Y = 0. For one that clearly does not, the ground is below its lowest point.
-        let height = if lowest.y.abs() < 0.3 * self.size { 0.0 } else { lowest.y };
+        let height = if all.low.y.abs() < 0.3 * self.size { 0.0 } else { all.low.y };
         self.ground = Ground { height, cell: round_number(0.3 * self.size) };
 
-        let (low, high) = bounds(&roots);
-        self.level = (high.y - low.y < self.size).then_some(0.5 * (low.y + high.y));
-        let around = |pose: &Pose| {
-            let anchor = self.anchor_of(pose);
-            places(pose).into_iter().map(move |place| place - anchor).filter(|place| place.is_finite())
-        };
-        let (low, high) = bounds(&samples.iter().flat_map(around).collect::<Vec<_>>());
-        let corner = |i: usize| Vec3::from([0, 1, 2].map(|axis| [low, high][i >> axis & 1][axis]));
+        self.level = (roots.high.y - roots.low.y < self.size).then_some(roots.low.y.midpoint(roots.high.y));
+        let mut around = Bounds::default();
+        self.sample(|stage, pose| {
+            let anchor = stage.anchor_of(pose);
+            pose.transforms().iter().for_each(|transform| around.add(transform.position - anchor));
+        });
+        let corner =
+            |i: usize| Vec3::from([0, 1, 2].map(|axis| [around.low, around.high][i >> axis & 1][axis]));
         self.surroundings = (0..8).map(corner).collect();
 
         // From ahead of a figure that sets out for somewhere, and to its side.
-        let way = roots.iter().map(|root| *root - roots[0]).find(|way| way.length() > 0.5 * self.size);
-        if let Some(way) = way {
+        if let Some(way) = ways.into_iter().find(|way| way.length() > 0.5 * self.size) {
             self.azimuth = (way.x.atan2(way.z) + 0.9).rem_euclid(std::f32::consts::TAU);
+        }
+    }
+
+    /// Looks at poses from all over the motion, fewer when each has more joints. There is never more than one of them
+    /// in memory.
+    fn sample(&self, mut look: impl FnMut(&Stage, &Pose)) {
+        let joints = self.motion.skeleton().len().max(1);
+        let samples = (MOST_SAMPLED_JOINTS / joints).clamp(1, MOST_SAMPLES);
+        let step = self.frame_count().div_ceil(samples);
+        let (mut frame, mut pose) = (Frame::default(), Pose::default());
+        for index in (0..self.frame_count()).step_by(step) {
+            self.motion.read_frame(index, self.positions, &mut frame);
+            pose_frame(self.motion.skeleton(), &frame, &solutions::FK, &mut pose);
+            look(self, &pose);
         }
     }
 
@@ -172,10 +190,22 @@ fn root(pose: &Pose) -> Vec3 {
     pose.transforms().first().map_or(Vec3::ZERO, |root| root.position)
 }
 
-/// The lowest and the highest corner of the box around `points`; twice the origin when there are none.
-fn bounds(points: &[Vec3]) -> (Vec3, Vec3) {
-    let Some(&first) = points.first() else { return (Vec3::ZERO, Vec3::ZERO) };
-    points.iter().fold((first, first), |(low, high), point| (low.min(*point), high.max(*point)))
+/// The box around points; only the origin when there are none.
+#[derive(Default)]
+struct Bounds {
+    low: Vec3,
+    high: Vec3,
+    some: bool,
+}
+
+impl Bounds {
+    /// Makes room for `point`, if it is made of numbers.
+    fn add(&mut self, point: Vec3) {
+        if point.is_finite() {
+            let (low, high) = if self.some { (self.low, self.high) } else { (point, point) };
+            (self.low, self.high, self.some) = (low.min(point), high.max(point), true);
+        }
+    }
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `number`.

@@ -137,7 +137,43 @@ mod png_file {
         let path = folder.path().join("none").join("picture.png");
         let output = view(&["--solution", "--png", path.to_str().unwrap()]);
         assert_eq!(output.status.code(), Some(1));
-        assert!(stderr(&output).contains("picture.png"), "{}", stderr(&output));
+        let expected = format!("the picture cannot be written to {}: ", path.display());
+        assert!(stderr(&output).starts_with(&expected), "{}", stderr(&output));
+    }
+
+    #[test]
+    fn a_motion_is_never_written_over() {
+        let folder = tempfile::Builder::new().prefix("with blank ").tempdir().unwrap();
+        let motion = fs::read(golden("odd.bvh")).unwrap();
+        let refused = |target: &str, file: &str, reason: &str| {
+            let (target, file) = (folder.path().join(target), folder.path().join(file));
+            fs::write(&file, &motion).unwrap();
+            let arguments = ["--solution", file.to_str().unwrap(), "--png", target.to_str().unwrap()];
+            let output = view(&arguments);
+            assert_eq!(output.status.code(), Some(1));
+            assert!(stderr(&output).contains(reason), "{}", stderr(&output));
+            assert_eq!(fs::read(&file).unwrap(), motion);
+            assert_eq!(target.exists(), target.canonicalize().ok() == file.canonicalize().ok());
+        };
+        refused("dance.bvh", "dance.bvh", "to show dance.bvh: cargo view");
+        refused("new.bvh", "dance.bvh", "--png names the picture to write");
+        refused("picture.jpg", "dance.bvh", "ends in .png");
+        refused("picture", "dance.bvh", "ends in .png");
+        refused("odd.png", "odd.png", "is the motion");
+    }
+
+    #[test]
+    fn a_wrong_target_is_told_before_anything_is_read() {
+        for (target, shown) in
+            [("data/dance.BVH", "data/dance.BVH"), ("my data/dance.BVH", "\"my data/dance.BVH\"")]
+        {
+            let output = view(&["no such file.bvh", "--png", target]);
+            assert_eq!(output.status.code(), Some(1));
+            let expected = format!(
+                "--png names the picture to write; to show dance.BVH: cargo view {shown} --png picture.png\n"
+            );
+            assert_eq!(stderr(&output), expected);
+        }
     }
 }
 
