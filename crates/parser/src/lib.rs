@@ -11,4 +11,4 @@ mod number;
 mod snippet;
 mod source;
 
-pub use snippet::Snippet;
+pub use snippet::{Snippet, printable};

@@ -48,8 +48,17 @@ impl fmt::Display for Snippet {
     }
 }
 
-/// `text` as it may be shown to people: readable, on one line, and not longer than a line.
-pub(crate) fn printable(text: &[u8]) -> String {
+/// `text` as it may be shown in a terminal, on one line, whoever wrote it: a tab becomes a blank, and a replacement
+/// character (U+FFFD) stands for each control character (also a line break, and what begins a colour), each that
+/// changes the direction of the text around it, and each that takes no room. All else stays as it is.
+///
+/// Meant for names and paths, which come from elsewhere.
+pub fn printable(text: &str) -> String {
+    text.chars().map(printable_character).collect()
+}
+
+/// As [`printable`], and not longer than a line.
+pub(crate) fn printable_start(text: &[u8]) -> String {
     const LONGEST: usize = 40;
     let mut shown = String::new();
     let whole = text.len() <= LONGEST;
@@ -61,17 +70,20 @@ pub(crate) fn printable(text: &[u8]) -> String {
 }
 
 fn push_printable(shown: &mut String, text: &[u8]) {
-    let printable = |c: char| match c {
+    shown.extend(String::from_utf8_lossy(text).chars().map(printable_character));
+}
+
+fn printable_character(c: char) -> char {
+    match c {
         '\t' => ' ',
         c if c.is_control() || is_invisible(c) => char::REPLACEMENT_CHARACTER,
         c => c,
-    };
-    shown.extend(String::from_utf8_lossy(text).chars().map(printable));
+    }
 }
 
 /// Whether a character changes the direction of the text around it, or takes no room.
 fn is_invisible(c: char) -> bool {
-    matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
+    matches!(c, '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
 }
 
 fn without_half_character(text: &[u8]) -> &[u8] {

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{GOOD, with};
-use parser::bvh::{self, ErrorKind};
+use parser::bvh::{self, ErrorKind, FileError};
 
 /// Under the title of each case its message, blank lines between.
 const EXPECTED: &str = include_str!("refused.txt");
@@ -42,6 +42,20 @@ fn a_missing_file_is_named() {
     let path = folder.path().join("none.bvh");
     let message = bvh::read_file(&path).expect_err("there is no such file").to_string();
     assert!(message.starts_with(&format!("{}: cannot be opened: ", path.display())), "{message}");
+}
+
+#[test]
+fn what_upsets_a_terminal_is_not_shown() {
+    let upsetting = "\u{1b}[31m\n\u{9b}\u{61c}\u{200b}\u{202e}\u{2066}\u{feff}";
+    let harmless = "\u{fffd}[31m\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}";
+    assert_eq!(parser::printable(upsetting), harmless);
+    assert_eq!(parser::printable("my\twalk Hüfte 腰 {1}"), "my walk Hüfte 腰 {1}");
+    let path = std::path::PathBuf::from(upsetting);
+    let opened = FileError::Open { path: path.clone(), cause: std::io::Error::other("gone") };
+    assert_eq!(opened.to_string(), format!("{harmless}: cannot be opened: gone"));
+    let cause = bvh::read("".as_bytes()).expect_err("an empty file");
+    let read = FileError::Read { path, cause }.to_string();
+    assert!(read.starts_with(&format!("{harmless}:1:1: ")), "{read}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use skeleton::{Channel, MotionError, SkeletonError};
 
 use crate::Snippet;
 use crate::number::BadNumber;
-use crate::snippet::printable;
+use crate::snippet::{printable, printable_start};
 use crate::source::{LONGEST_WORD, Place, Source};
 
 /// Why a text cannot be read, and where.
@@ -231,15 +231,15 @@ impl Error {
     pub(super) fn unexpected(source: &mut Source, expected: &'static str) -> Self {
         let kind = match source.peek() {
             [] => ErrorKind::Ended { expected },
-            word if is_conflict_mark(word) => ErrorKind::MergeConflict { found: printable(word) },
-            word => ErrorKind::Unexpected { found: printable(word), expected },
+            word if is_conflict_mark(word) => ErrorKind::MergeConflict { found: printable_start(word) },
+            word => ErrorKind::Unexpected { found: printable_start(word), expected },
         };
         Error::here(source, kind)
     }
 
     /// `word`, the next of `source`, is not a usable number.
     pub(super) fn bad_number(source: &mut Source, word: &[u8], problem: BadNumber) -> Self {
-        let found = printable(word);
+        let found = printable_start(word);
         let kind = match problem {
             _ if word.is_empty() => ErrorKind::Ended { expected: "a number" },
             _ if is_conflict_mark(word) => ErrorKind::MergeConflict { found },
@@ -317,10 +317,12 @@ impl fmt::Display for Error {
 
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (FileError::Open { path, .. } | FileError::Read { path, .. }) = self;
+        write!(f, "{}:", printable(&path.to_string_lossy()))?;
         match self {
-            FileError::Open { path, cause } => write!(f, "{}: cannot be opened: {cause}", path.display()),
-            FileError::Read { path, cause } => {
-                write!(f, "{}:{}:{}: {}", path.display(), cause.line(), cause.column(), Details(cause))
+            FileError::Open { cause, .. } => write!(f, " cannot be opened: {cause}"),
+            FileError::Read { cause, .. } => {
+                write!(f, "{}:{}: {}", cause.line(), cause.column(), Details(cause))
             }
         }
     }

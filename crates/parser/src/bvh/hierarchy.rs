@@ -6,7 +6,7 @@ use skeleton::{Channel, JointId, Skeleton, SkeletonError};
 use super::error::is_conflict_mark;
 use super::warning::warn;
 use super::{Error, ErrorKind, Warning, WarningKind, words};
-use crate::snippet::printable;
+use crate::snippet::printable_start;
 use crate::source::{LONGEST_WORD, Place, Source, is_blank};
 
 /// Reads everything from `HIERARCHY` up to `MOTION`, which is taken too.
@@ -74,7 +74,7 @@ impl Reader<'_, '_> {
             return Err(Error::unexpected(self.source, "OFFSET and three numbers"));
         };
         let channels = channels.unwrap_or_else(|| {
-            warn(self.warnings, place, WarningKind::NoChannels { joint: printable(name.as_bytes()) });
+            warn(self.warnings, place, WarningKind::NoChannels { joint: printable_start(name.as_bytes()) });
             Vec::new()
         });
         let id = self.skeleton.add_joint(parent, name, offset, channels).map_err(|e| self.refused(e))?;
@@ -114,7 +114,7 @@ impl Reader<'_, '_> {
         };
         let place = self.source.place();
         if !is_utf8 {
-            warn(self.warnings, place, WarningKind::NameEncoding { name: printable(name.as_bytes()) });
+            warn(self.warnings, place, WarningKind::NameEncoding { name: printable_start(name.as_bytes()) });
         }
         self.source.take(behind);
         Ok((name, place))
@@ -159,7 +159,7 @@ impl Reader<'_, '_> {
             }
             word if word.is_empty() || is_conflict_mark(word) => Error::unexpected(self.source, "a channel"),
             word => {
-                let found = printable(word);
+                let found = printable_start(word);
                 Error::here(self.source, ErrorKind::UnknownChannel { found })
             }
         }
@@ -184,7 +184,7 @@ impl Reader<'_, '_> {
         }
         let joint = self.skeleton.label(parent);
         let line = self.places.get(parent.0).map_or(0, |place| place.line);
-        Error::here(self.source, ErrorKind::NotClosed { joint: printable(joint.as_bytes()), line })
+        Error::here(self.source, ErrorKind::NotClosed { joint: printable_start(joint.as_bytes()), line })
     }
 
     /// Warns if two joints share a name: at the first that repeats one.
@@ -202,7 +202,7 @@ impl Reader<'_, '_> {
         else {
             return;
         };
-        let name = printable(joints[second].name.as_bytes());
+        let name = printable_start(joints[second].name.as_bytes());
         let kind = WarningKind::RepeatedName { name, first_line: self.places[first].line };
         warn(self.warnings, self.places[second], kind);
     }
@@ -224,7 +224,7 @@ pub(super) fn is_end_site(line: &[u8]) -> bool {
 /// The text does not begin as it should. What else may it be?
 fn not_a_hierarchy(source: &mut Source) -> Error {
     let word = source.peek();
-    let found = printable(word);
+    let found = printable_start(word);
     let guess = match word {
         [] => return Error::here(source, ErrorKind::Empty),
         word if is_conflict_mark(word) => return Error::unexpected(source, "HIERARCHY"),

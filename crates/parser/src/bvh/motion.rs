@@ -7,7 +7,7 @@ use super::rows::Rows;
 use super::warning::warn;
 use super::{Error, ErrorKind, Warning, WarningKind, words};
 use crate::number::{self, BadNumber};
-use crate::snippet::printable;
+use crate::snippet::printable_start;
 use crate::source::{Lines, Place, Source, WholeWords, is_blank};
 
 /// The fewest numbers that room is made for at once.
@@ -92,7 +92,7 @@ impl Numbers {
             if self.values.len() < self.wanted || is_conflict {
                 return Err(Error::bad_number(source, &word, problem));
             }
-            warn(warnings, source.place(), WarningKind::Junk { found: printable(&word) });
+            warn(warnings, source.place(), WarningKind::Junk { found: printable_start(&word) });
             break;
         }
         self.rows.end_line(source.place().line, self.count());
