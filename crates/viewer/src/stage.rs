@@ -287,6 +287,25 @@ mod tests {
     }
 
     #[test]
+    fn what_is_looked_at_does_not_grow_with_frames_times_joints() {
+        let frames = |joints: usize, count: usize| {
+            let mut skeleton = skeleton::Skeleton::new();
+            for _ in 0..joints {
+                skeleton.add_joint(None, "j", Vec3::Y, []).unwrap();
+            }
+            let stage =
+                Stage::new(Motion::new(skeleton, count, 0.1, Vec::new()).unwrap(), PositionChannels::Replace);
+            let mut looked = 0;
+            stage.sample(|_, _| looked += 1);
+            looked
+        };
+        assert_eq!(frames(30, 50), 50);
+        assert_eq!(frames(30, 120_000), MOST_SAMPLES);
+        assert_eq!(frames(MOST_SAMPLED_JOINTS / 10, 500), 10);
+        assert_eq!(frames(MOST_SAMPLED_JOINTS + 1, 500), 1);
+    }
+
+    #[test]
     fn a_motion_without_frames_shows_its_rest_pose_above_the_ground() {
         let stage = Stage::new(samples::chain(0, 1.0), PositionChannels::Replace);
         assert_eq!(stage.frame_count(), 1);
