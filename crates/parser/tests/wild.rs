@@ -219,13 +219,16 @@ fn a_name_that_is_not_utf8_is_read_with_a_warning() {
 
 #[test]
 fn a_frame_time_that_cannot_be_played_is_read_with_a_warning() {
-    for seconds in [0.0, -0.04] {
-        let (motion, warning) = read_with_warning(with("0.04", &seconds.to_string()));
-        assert_eq!((motion.frame_time(), motion.playable_frame_time()), (seconds, 1.0 / 30.0));
-        assert!(
-            warning.starts_with(&format!("line 13, column 13: a Frame Time of {seconds} s")),
-            "{warning}"
-        );
+    for seconds in ["0", "-0.04", "1e-300", "9e-7", "1000001", "1e300"] {
+        let (motion, warning) = read_with_warning(with("0.04", seconds));
+        assert_eq!(seconds.parse(), Ok(motion.frame_time()));
+        assert_eq!(motion.playable_frame_time(), 1.0 / 30.0);
+        let expected = format!("line 13, column 13: a Frame Time of {seconds} s cannot be played");
+        assert!(warning.starts_with(&expected), "{warning}");
+    }
+    for seconds in ["1e-6", "1e6"] {
+        let motion = read_clean(with("0.04", seconds));
+        assert_eq!(motion.playable_frame_time(), motion.frame_time());
     }
 }
 

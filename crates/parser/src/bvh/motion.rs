@@ -20,7 +20,7 @@ pub(super) fn read(
     warnings: &mut Vec<Warning>,
 ) -> Result<Motion, Error> {
     let declared = frame_count(source)?;
-    let frame_time = frame_time(source, warnings)?;
+    let (frame_time, place_of_time) = frame_time(source)?;
     let mut numbers = Numbers::new(declared, skeleton.channel_count() as u64);
     numbers.read(source, warnings)?;
     numbers.check(source, warnings)?;
@@ -30,8 +30,12 @@ pub(super) fn read(
     if frames as u64 != declared {
         warn(warnings, source.place(), WarningKind::EmptyFrames { declared });
     }
-    Motion::new(skeleton, frames, frame_time, values)
-        .map_err(|error| Error::here(source, ErrorKind::Motion(error)))
+    let motion = Motion::new(skeleton, frames, frame_time, values)
+        .map_err(|error| Error::here(source, ErrorKind::Motion(error)))?;
+    if motion.playable_frame_time() != frame_time {
+        warn(warnings, place_of_time, WarningKind::FrameTime { seconds: frame_time });
+    }
+    Ok(motion)
 }
 
 /// Reads `Frames: 120`.
@@ -42,18 +46,14 @@ fn frame_count(source: &mut Source) -> Result<u64, Error> {
     words::count(source, "the number of frames").map(|(count, _)| count)
 }
 
-/// Reads `Frame Time: 0.0333`.
-fn frame_time(source: &mut Source, warnings: &mut Vec<Warning>) -> Result<f64, Error> {
+/// Reads `Frame Time: 0.0333`. Gives where the number stands, too.
+fn frame_time(source: &mut Source) -> Result<(f64, Place), Error> {
     for word in ["Frame", "Time", ":"] {
         words::take(source, word, "`Frame Time:` and the seconds from one frame to the next")?;
     }
     source.peek();
     let place = source.place();
-    let seconds = words::number(source)?;
-    if seconds <= 0.0 {
-        warn(warnings, place, WarningKind::FrameTime { seconds });
-    }
-    Ok(seconds)
+    Ok((words::number(source)?, place))
 }
 
 /// The numbers of all frames.

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::write::Shortest;
 use crate::source::Place;
 
 /// Something odd in a text that could be read all the same.
@@ -50,8 +51,11 @@ pub enum WarningKind {
         /// Where it stands first.
         first_line: u64,
     },
-    /// The frame time is zero or negative.
-    #[error("a Frame Time of {seconds} s cannot be played; 30 frames per second are played instead")]
+    /// The frame time is none that can be played: see [`skeleton::Motion::playable_frame_time`].
+    #[error(
+        "a Frame Time of {} s cannot be played; 30 frames per second are played instead",
+        Shortest(*seconds)
+    )]
     FrameTime {
         /// As it was read.
         seconds: f64,

@@ -83,7 +83,7 @@ fn indent(depth: usize, out: &mut impl Write) -> io::Result<()> {
 }
 
 /// A number in the fewest digits that read back as the same number; with an exponent if it is very small or large.
-struct Shortest<F>(F);
+pub(super) struct Shortest<F>(pub F);
 
 impl<F: Copy + Into<f64> + fmt::Display + fmt::LowerExp> fmt::Display for Shortest<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
