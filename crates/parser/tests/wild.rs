@@ -244,6 +244,22 @@ fn of_too_many_rows_the_declared_ones_are_read_with_a_warning() {
 }
 
 #[test]
+fn whole_frames_in_one_line_are_read_however_many_are_declared() {
+    for (channels, row) in
+        [("3 Zrotation Xrotation Yrotation", "1 2 3 4 5 6 7 8 9"), ("1 Zrotation", "1 2 3")]
+    {
+        let text = with("3 Zrotation Xrotation Yrotation", channels).replace("1 2 3\n4 5 6", row);
+        for declared in 0..3 {
+            let text = text.replace("Frames: 2", &format!("Frames: {declared}"));
+            let (motion, warning) = read_with_warning(&text);
+            assert_eq!(motion.frame_count(), declared, "{text}");
+            assert!(warning.contains(&format!("`Frames:` says {declared}, but ")), "{warning}");
+        }
+        assert_eq!(read_clean(text.replace("Frames: 2", "Frames: 3")).frame_count(), 3);
+    }
+}
+
+#[test]
 fn junk_behind_the_frames_is_left_out_with_a_warning() {
     for junk in ["# made by hand", "\u{1a}", "\0\0\0\0", "NaN", "}", "HIERARCHY"] {
         let (motion, warning) = read_with_warning(format!("{GOOD}{junk}\n1 2 3\n"));

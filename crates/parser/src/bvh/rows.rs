@@ -53,9 +53,9 @@ impl Rows {
 
     /// The line that shows, when there are more numbers than `frames` need, that the rows are not this skeleton's,
     /// and its count: a frame would begin in the middle of it, or the lines are as many as the frames, so that each
-    /// should be one.
+    /// should be one. A single line may hold all frames, and says nothing as long as they are whole.
     pub fn unfit_line(&self, frames: u64) -> Option<(u64, u64)> {
-        self.broken.or(self.uneven_line(frames))
+        self.broken.or(self.uneven_line(frames).filter(|_| self.lines > 1))
     }
 
     /// The first line of another width, if the lines are as many as the frames, so that each should be one.
