@@ -30,5 +30,5 @@ pub use rubric::{CheckRubric, PartRubric, Rubric};
 pub use self_grading::self_grade;
 pub use tables::{misconceptions_table, rubric_table};
 
-/// The seed of the questions that students see. Teaching assistants use another one.
+/// The seed of the questions that students see. Marks are made with another one, so that answers learnt by heart fail.
 pub const PUBLIC_SEED: u64 = 15;
