@@ -85,7 +85,7 @@ fn crates(package: &str, edges: &str) -> BTreeSet<String> {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     let tree = cargo
         .current_dir(WORKSPACE)
-        .args(["tree", "--offline", "--package", package, "--edges", edges, "--prefix", "none"])
+        .args(["tree", "--locked", "--package", package, "--edges", edges, "--prefix", "none"])
         .output()
         .unwrap();
     assert!(tree.status.success(), "{}", String::from_utf8_lossy(&tree.stderr));
