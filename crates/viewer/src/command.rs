@@ -78,9 +78,12 @@ fn view(arguments: &Arguments) -> Result<(), String> {
         check_target(picture, &path)?;
     }
     let bvh::Reading { motion, warnings } = bvh::read_file(&path).map_err(text)?;
-    let title = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let title = parser::printable(&path.file_name().unwrap_or(path.as_os_str()).to_string_lossy());
     let warnings: Vec<String> = warnings.iter().map(text).collect();
 
+    if !arguments.print {
+        check_frame(arguments.frame, &title, motion.frame_count())?;
+    }
     if let Some(picture) = &arguments.png {
         let stage = Arc::new(Stage::new(motion, arguments.positions.into()));
         return write_picture(arguments, stage, title, warnings, picture);
@@ -131,6 +134,16 @@ fn check_target(picture: &Path, motion: &Path) -> Result<(), String> {
     Ok(())
 }
 
+fn check_frame(frame: usize, title: &str, count: usize) -> Result<(), String> {
+    let why = match count {
+        _ if frame < count.max(1) => return Ok(()),
+        0 => "it has no frames; its rest pose is frame 0".to_owned(),
+        1 => "it has one frame, frame 0".to_owned(),
+        _ => format!("its frames are counted from 0 to {}", count - 1),
+    };
+    Err(format!("{title} has no frame {frame}: {why}"))
+}
+
 fn write_picture(
     arguments: &Arguments,
     stage: Arc<Stage>,
@@ -139,10 +152,6 @@ fn write_picture(
     path: &Path,
 ) -> Result<(), String> {
     let frame = arguments.frame;
-    if frame >= stage.frame_count() {
-        let last = stage.frame_count() - 1;
-        return Err(format!("{title} has no frame {frame}: its frames are counted from 0 to {last}"));
-    }
     let mut app = App::new(stage.clone(), title, warnings, arguments.size);
     app.go_to(frame);
 
@@ -228,6 +237,19 @@ mod tests {
         let help = Arguments::command().render_long_help().to_string();
         for binding in keys::BINDINGS {
             assert!(help.contains(binding.help), "{}", binding.help);
+        }
+    }
+
+    #[test]
+    fn a_frame_that_does_not_exist_is_told_with_those_that_do() {
+        assert_eq!(check_frame(1376, "a", 1377), Ok(()));
+        assert_eq!(check_frame(0, "a", 0), Ok(()));
+        for (count, why) in [
+            (0, "it has no frames; its rest pose is frame 0"),
+            (1, "it has one frame, frame 0"),
+            (7, "its frames are counted from 0 to 6"),
+        ] {
+            assert_eq!(check_frame(7, "a", count), Err(format!("a has no frame 7: {why}")));
         }
     }
 

@@ -65,6 +65,7 @@ impl Player {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
+    use skeleton::{Motion, Skeleton};
 
     use super::*;
 
@@ -106,6 +107,25 @@ mod tests {
             }
             let expected = display * pictures as f64 / frame_time;
             prop_assert!((player.frame() as f64 - expected).abs() <= 1.01, "{} and {expected}", player.frame());
+        }
+
+        #[test]
+        fn whatever_the_file_says_it_plays_and_stays_within_the_motion(
+            frame_time in prop_oneof![any::<f64>(), (0u64..1 << 52).prop_map(f64::from_bits), Just(1e-6), Just(1e6)],
+            seconds in prop::collection::vec(prop_oneof![any::<f64>(), 0.0..0.1], 1..20),
+        ) {
+            let motion = Motion::new(Skeleton::new(), 7, frame_time, Vec::new()).unwrap();
+            let playable = motion.playable_frame_time();
+            let mut player = Player::new(7, playable);
+            player.toggle();
+            for seconds in seconds {
+                player.advance(seconds);
+                prop_assert!(player.frame() < 7);
+            }
+            player.go_to(0);
+            player.toggle();
+            player.advance(2.5 * playable);
+            prop_assert_eq!(player.frame(), 2);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use parser::printable;
 use skeleton::{Channel, Joint, Motion, RotationOrder, Skeleton};
 
 /// Joints deeper than this are printed with their depth as a number instead of more indentation.
@@ -12,13 +13,12 @@ const WIDEST: usize = 48;
 
 /// The skeleton as a tree: one line per joint with its name, offset (in the file's unit), rotation order and channels.
 pub fn tree(skeleton: &Skeleton) -> String {
+    let extent = extent(skeleton);
     let branches = branches(skeleton);
     let width = branches.iter().map(|branch| branch.chars().count()).max().unwrap_or(0).min(WIDEST);
     let mut text = String::new();
     for (joint, branch) in skeleton.joints().iter().zip(&branches) {
-        // Adding zero makes a plain zero of a negative one.
-        let [x, y, z] =
-            joint.offset.to_array().map(|number| format!("{:.3}", (number * 1e3).round() / 1e3 + 0.0));
+        let [x, y, z] = joint.offset.to_array().map(|offset| length(offset.into(), extent));
         let order = joint.rotation_order.to_string();
         let channels = channels(joint);
         let line = format!("{branch:width$}  {x:>9} {y:>9} {z:>9}  {order:<5}  {channels}");
@@ -46,7 +46,7 @@ fn branches(skeleton: &Skeleton) -> Vec<String> {
     let mut stems: Vec<String> = Vec::with_capacity(joints.len());
     let mut branches = Vec::with_capacity(joints.len());
     for (i, joint) in joints.iter().enumerate() {
-        let name = printable(&joint.name);
+        let name = name(&joint.name);
         let (branch, stem) = match joint.parent {
             None => (name, String::new()),
             Some(_) if depths[i] > DEEPEST => (format!("… depth {}: {name}", depths[i]), String::new()),
@@ -63,13 +63,14 @@ fn branches(skeleton: &Skeleton) -> Vec<String> {
 }
 
 /// A name without characters that would do something to the terminal, and not longer than a line.
-fn printable(name: &str) -> String {
-    let mut name: String =
-        name.chars().map(|c| if c.is_control() { '\u{FFFD}' } else { c }).take(WIDEST).collect();
+fn name(name: &str) -> String {
     if name.is_empty() {
-        name.push_str("(no name)");
+        return "(no name)".into();
     }
-    name
+    match name.char_indices().nth(WIDEST) {
+        None => printable(name),
+        Some((end, _)) => printable(&name[..end]) + "…",
+    }
 }
 
 /// The channels, three positions or rotations in one word.
@@ -106,33 +107,41 @@ pub fn summary(motion: &Motion) -> String {
         if roots == 1 { String::new() } else { format!("({roots} roots)") },
     ];
     let numbering = match frames {
+        0 if skeleton.channel_count() == 0 => {
+            "none that move anything: only the rest pose can be shown".into()
+        }
         0 => "the file holds no frames: only the rest pose can be shown".into(),
         1 => "a single pose, frame 0".into(),
         _ => format!("numbered 0 to {}", frames - 1),
     };
+    let frame_time = match is_plain(motion.frame_time()) {
+        true => motion.frame_time().to_string(),
+        false => scientific(motion.frame_time()),
+    };
     let speed = match motion.frame_time() == seconds {
-        true => format!("{} s ({:.2} frames per second)", motion.frame_time(), 1.0 / seconds),
-        false => format!(
-            "{} s in the file, which cannot be played: shown at 30 frames per second",
-            motion.frame_time()
-        ),
+        true => format!("{frame_time} s ({} frames per second)", number(1.0 / seconds, 2)),
+        false => format!("{frame_time} s in the file, which cannot be played: shown at 30 frames per second"),
     };
     let positions = match (moved_roots.len(), moved_others.len()) {
         (0, 0) => "none: the figure stays in its place".into(),
         (_, 0) => "on the root".into(),
+        (0, others) => format!("on {}, not on the root", count(others, "joint", "joints")),
         (_, others) => format!("on the root and {}", count(others, "other joint", "other joints")),
     };
     let facts = [
         ("skeleton", counts.join(" ").trim_end().to_owned()),
         ("rotation orders", orders(joints)),
         ("positions", positions),
-        ("channels", format!("{} numbers per frame", skeleton.channel_count())),
+        ("channels", format!("{} per frame", count(skeleton.channel_count(), "number", "numbers"))),
         ("frames", format!("{frames} ({numbering})")),
         ("frame time", speed),
-        ("duration", format!("{:.2} s", frames as f64 * seconds)),
+        ("duration", format!("{} s", number(frames as f64 * seconds, 2))),
         (
             "extent",
-            format!("{:.3} in the file's unit (diagonal of the box around the rest pose)", skeleton.extent()),
+            format!(
+                "{} in the file's unit (diagonal of the box around the rest pose)",
+                number(extent(skeleton), 3)
+            ),
         ),
     ];
     facts.iter().map(|(name, fact)| format!("{name:<16} {fact}\n")).collect()
@@ -148,6 +157,57 @@ fn orders(joints: &[Joint]) -> String {
     counts.sort_by_key(|(count, order)| (*order == RotationOrder::None, std::cmp::Reverse(*count)));
     let words: Vec<String> = counts.iter().map(|(count, order)| format!("{count} {order}")).collect();
     words.join(", ")
+}
+
+/// [`Skeleton::extent`] in double precision: the squares of large lengths do not fit into single precision.
+fn extent(skeleton: &Skeleton) -> f64 {
+    let positions = skeleton.rest_positions();
+    let along = |axis: usize| {
+        let places = positions.iter().map(|position| f64::from(position[axis]));
+        let (low, high) = places
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place), high.max(place)));
+        if positions.is_empty() { 0.0 } else { high - low }
+    };
+    (0..3).map(|axis| along(axis).powi(2)).sum::<f64>().sqrt()
+}
+
+/// A length in the table. What is next to nothing in a skeleton of this `extent` is a zero: many programs write one so.
+fn length(value: f64, extent: f64) -> String {
+    let negligible = value.abs() < (1e-4 * extent).min(5e-4);
+    number(if negligible { 0.0 } else { value }, 3)
+}
+
+/// `value` with `decimals` digits behind the point, more where a small number needs them to be told from another.
+fn number(value: f64, decimals: usize) -> String {
+    if !is_plain(value) {
+        return scientific(value);
+    }
+    if value == 0.0 || value.abs() >= 0.01 {
+        // Adding zero makes a plain zero of a negative one.
+        return format!("{:.decimals$}", value + 0.0);
+    }
+    let (least, most) = (decimals, decimals + 3);
+    let mut text = format!("{value:.most$}");
+    let zeros = text.bytes().rev().take_while(|digit| *digit == b'0').count();
+    text.truncate(text.len() - zeros.min(most - least));
+    text
+}
+
+/// Whether a number is read most easily as digits around a point.
+fn is_plain(value: f64) -> bool {
+    value == 0.0 || (1e-3..1e7).contains(&value.abs())
+}
+
+/// At most five digits and a power of ten, for example `-1.5e12`.
+fn scientific(value: f64) -> String {
+    let text = format!("{value:.4e}");
+    match text.split_once('e') {
+        Some((digits, power)) => {
+            format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'))
+        }
+        // Infinity, or no number.
+        None => text,
+    }
 }
 
 fn count(number: usize, one: &str, many: &str) -> String {
@@ -174,8 +234,66 @@ mod tests {
 
     #[test]
     fn no_name_can_command_the_terminal() {
+        for bad in ['\u{1b}', '\u{7}', '\u{202e}', '\u{200b}', '\u{2066}', '\u{feff}'] {
+            let mut skeleton = Skeleton::new();
+            skeleton.add_joint(None, format!("a{bad}[31m"), Vec3::ZERO, []).unwrap();
+            assert!(!tree(&skeleton).contains(bad), "{bad:?}");
+        }
+    }
+
+    #[test]
+    fn a_name_that_is_cut_says_so() {
+        assert_eq!(name(&"ä".repeat(48)), "ä".repeat(48));
+        assert_eq!(name(&"ä".repeat(49)), "ä".repeat(48) + "…");
+        assert_eq!(name(""), "(no name)");
+    }
+
+    #[test]
+    fn numbers_are_neither_false_nor_long() {
+        let offsets = [
+            (0.0, "0.000"),
+            (-0.0, "0.000"),
+            (f32::from_bits(1), "1.4013e-45"),
+            (1e-5, "1e-5"),
+            (-0.00123, "-0.00123"),
+            (0.005, "0.005"),
+            (0.25, "0.250"),
+            (-42.9, "-42.900"),
+            (1234.5678, "1234.568"),
+            (9_999_999.0, "9999999.000"),
+            (1e7, "1e7"),
+            (-1.5e12, "-1.5e12"),
+            (3e38, "3e38"),
+        ];
+        for (offset, text) in offsets {
+            assert_eq!(number(offset.into(), 3), text);
+        }
+        let lengths =
+            [(-1e-4, 2.0, "0.000"), (-1e-4, 0.1, "-1e-4"), (2e-3, 1e9, "0.002"), (1e-40, 1e-40, "1e-40")];
+        for (value, extent, text) in lengths {
+            assert_eq!(length(value, extent), text);
+        }
+        assert_eq!((number(f64::INFINITY, 2), number(1e-300, 2)), ("inf".into(), "1e-300".into()));
+    }
+
+    #[test]
+    fn a_summary_of_odd_numbers_is_true_and_short() {
         let mut skeleton = Skeleton::new();
-        skeleton.add_joint(None, "a\u{1b}[31m\u{7}", Vec3::ZERO, []).unwrap();
-        assert!(!tree(&skeleton).contains('\u{1b}'));
+        let root = skeleton.add_joint(None, "r", Vec3::ZERO, []).unwrap();
+        let position = vec![Channel::from_word("Xposition").unwrap()];
+        skeleton.add_joint(Some(root), "j", Vec3::new(3e38, 0.0, 0.0), position).unwrap();
+        let text = summary(&Motion::new(skeleton.clone(), 1, 1e-300, vec![0.0]).unwrap());
+        for expected in
+            ["1e-300 s", "extent           3e38 in", "on 1 joint, not on the root", "1 number per frame"]
+        {
+            assert!(text.contains(expected), "{expected} is missing in: {text}");
+        }
+        let text = summary(&Motion::new(skeleton, 1, 1e6, vec![0.0]).unwrap());
+        assert!(text.contains("1000000 s (1e-6 frames per second)"), "{text}");
+
+        let mut rigid = Skeleton::new();
+        rigid.add_joint(None, "r", Vec3::ZERO, []).unwrap();
+        let text = summary(&Motion::new(rigid, 0, 0.1, Vec::new()).unwrap());
+        assert!(text.contains("0 (none that move anything: only the rest pose can be shown)"), "{text}");
     }
 }

@@ -45,6 +45,9 @@ fn state(facts: &Facts) -> Vec<Line> {
     let mut lines = vec![Line::Heading(facts.title.to_owned())];
     let seconds = motion.playable_frame_time();
     match motion.frame_count() {
+        0 if motion.skeleton().channel_count() == 0 => {
+            lines.push(Line::Trouble("nothing in this file moves: its rest pose is shown".into()));
+        }
         0 => lines.push(Line::Trouble("this file has no frames: its rest pose is shown".into())),
         1 => lines.push(Line::Text("frame 0 / 1: only one frame, nothing to play".into())),
         count => {

@@ -61,6 +61,16 @@ mod print {
     }
 
     #[test]
+    #[cfg(unix)]
+    fn no_file_name_can_command_the_terminal() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a\u{1b}[31m\u{202e}b.bvh");
+        fs::copy(golden("odd.bvh"), &path).unwrap();
+        let text = stdout(&view(&[path.to_str().unwrap(), "--print"]));
+        assert!(text.starts_with('a') && !text.contains(['\u{1b}', '\u{202e}']), "{text:?}");
+    }
+
+    #[test]
     fn odd_files_are_printed_with_their_oddities() {
         let output = view(&[golden("odd.bvh").to_str().unwrap(), "--print"]);
         assert!(output.status.success(), "{}", stderr(&output));
@@ -122,12 +132,15 @@ mod png_file {
     }
 
     #[test]
-    fn a_frame_that_does_not_exist_is_an_error_and_no_file_is_written() {
+    fn a_frame_that_does_not_exist_is_an_error_for_the_picture_and_for_the_window() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("picture.png");
-        let output = view(&["--solution", "--png", path.to_str().unwrap(), "--frame", "1377"]);
-        assert_eq!(output.status.code(), Some(1));
-        assert!(stderr(&output).contains("counted from 0 to 1376"), "{}", stderr(&output));
+        for mode in [&["--png", path.to_str().unwrap()][..], &[]] {
+            let output = view(&[&["--solution", "--frame", "1377"], mode].concat());
+            assert_eq!(output.status.code(), Some(1));
+            let expected = "running.bvh has no frame 1377: its frames are counted from 0 to 1376\n";
+            assert_eq!(stderr(&output), expected);
+        }
         assert!(!path.exists());
     }
 
