@@ -165,6 +165,7 @@ impl App {
             frame: self.frame(),
             playing: self.player.is_playing(),
             shown,
+            solid,
             outside: solid.map_or(0, |pose| outside(pose, &camera, size)),
             ghost: self.ghost,
             axes: self.axes,
@@ -283,6 +284,28 @@ mod tests {
         assert!(words(&app.scene(shown, SIZE)).contains("4 of your 5 joints are outside"));
         app.act(Action::Frame);
         assert!(!words(&app.scene(shown, SIZE)).contains("outside"));
+    }
+
+    #[test]
+    fn joints_that_are_not_drawn_are_told_for_the_reference_too() {
+        let chain = samples::chain(2, 1.0);
+        let mut values = chain.values().to_vec();
+        // The last angles of the first frame, and the first position of the second.
+        let channels = chain.skeleton().channel_count();
+        (values[channels - 1], values[channels]) = (f32::NAN, 1e9);
+        let motion = skeleton::Motion::new(chain.skeleton().clone(), 2, 0.1, values).unwrap();
+        let stage = Arc::new(Stage::new(motion, PositionChannels::Replace));
+        let mut app = App::new(stage, "odd.bvh".into(), Vec::new(), SIZE);
+        let first = words(&app.scene(Shown::Reference, SIZE));
+        assert!(first.contains("NaN or infinity as the place of 1 of the 5 joints"), "{first}");
+        assert!(first.contains("too large for single precision"), "{first}");
+        app.camera.target.x += 1e6;
+        app.offset.x += 1e6;
+        let first = words(&app.scene(Shown::Reference, SIZE));
+        assert!(first.contains("4 of the 5 joints are outside"), "{first}");
+
+        let ordinary = words(&self::app(5).scene(Shown::Reference, SIZE));
+        assert!(!ordinary.contains("joints") && !ordinary.contains("precision"), "{ordinary}");
     }
 
     #[test]

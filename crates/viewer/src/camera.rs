@@ -11,6 +11,10 @@ const HALF_ANGLE_OF_VIEW: f32 = 0.35;
 /// The steepest look down or up. Straight down would leave no direction for "right".
 const STEEPEST: f32 = 1.5;
 
+/// The range of distances to the target, in world units: whatever the unit, single precision has room on both sides.
+const NEAREST: f32 = 1e-30;
+const FARTHEST: f32 = 1e30;
+
 /// A camera that looks at a point and circles around it. It never rolls: the horizon stays level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -33,7 +37,7 @@ impl Camera {
 
     /// Moves towards the target (`factor` below 1) or away from it.
     pub fn zoom(&mut self, factor: f32) {
-        self.distance = (self.distance * factor).clamp(1e-6, 1e9);
+        self.distance = (self.distance * factor).clamp(NEAREST, FARTHEST);
     }
 
     /// Looks at the middle of `points` from just as far that all of them are inside the picture, `margin` away from
@@ -55,7 +59,7 @@ impl Camera {
             // The second keeps a point on the line of sight off the camera itself.
             distance = distance.max(aside.max_element() - seen.z).max(-1.1 * seen.z);
         }
-        self.distance = distance.clamp(1e-6, 1e9);
+        self.distance = distance.clamp(NEAREST, FARTHEST);
     }
 
     /// What this camera sees in a picture of `size` (width, height) pixels.
@@ -177,6 +181,19 @@ mod tests {
         assert!(view.project(Vec3::Y).unwrap().y < 179.0);
         assert!(view.project(Vec3::Z).unwrap().nearness > middle.nearness, "+Z is nearer");
         assert_eq!(view.project(Vec3::Z * 11.0), None, "behind the camera");
+    }
+
+    #[test]
+    fn framing_works_in_any_unit() {
+        for unit in [1e-20f32, 1e-7, 1.0, 1e12, 1e20] {
+            let mut camera = Camera { target: Vec3::ZERO, azimuth: 0.0, elevation: 0.0, distance: 1.0 };
+            camera.frame(&[Vec3::ZERO, Vec3::Y * unit], SIZE, 0.1, 0.5 * unit);
+            let view = camera.view(SIZE);
+            let (low, high) = (view.project(Vec3::ZERO).unwrap(), view.project(Vec3::Y * unit).unwrap());
+            assert!((low.y - 324.0).abs() < 0.1 && (high.y - 36.0).abs() < 0.1, "{unit}: {low:?} {high:?}");
+            camera.zoom(0.5);
+            assert!((camera.view(SIZE).eye.z / view.eye.z - 0.5).abs() < 1e-3);
+        }
     }
 
     #[test]

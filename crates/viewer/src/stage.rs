@@ -20,11 +20,16 @@ pub struct Stage {
     /// The height of the anchor, where it does not go up and down with the root.
     level: Option<f32>,
     azimuth: f32,
+    too_coarse: bool,
 }
 
 /// The most frames that are looked at to learn how large a motion is, and the most joints in all of them together.
 const MOST_SAMPLES: usize = 120;
 const MOST_SAMPLED_JOINTS: usize = 1_000_000;
+
+/// Single precision has about seven digits: this many skeletons away from the origin the joints are no longer where
+/// they should be.
+const LARGEST_COORDINATE: f32 = 1e6;
 
 /// The camera's height above the horizon, in radians.
 const ELEVATION: f32 = 0.2;
@@ -41,6 +46,7 @@ impl Stage {
             surroundings: Vec::new(),
             level: None,
             azimuth: 0.6,
+            too_coarse: false,
         };
         stage.measure();
         stage
@@ -62,6 +68,9 @@ impl Stage {
         let usable = |size: &f32| size.is_finite() && *size > 0.0;
         let sizes = [self.motion.skeleton().extent(), all.low.distance(all.high)];
         self.size = sizes.into_iter().find(usable).unwrap_or(1.0);
+
+        let farthest = roots.low.abs().max(roots.high.abs()).max_element();
+        self.too_coarse = !sizes[0].is_finite() || farthest > LARGEST_COORDINATE * self.size;
 
         // Most motions stand on the plane Y = 0. For one that clearly does not, the ground is below its lowest point.
         let height = if all.low.y.abs() < 0.3 * self.size { 0.0 } else { all.low.y };
@@ -129,6 +138,11 @@ impl Stage {
     /// The size of the skeleton: the diagonal of the box around its rest pose. Positive.
     pub fn size(&self) -> f32 {
         self.size
+    }
+
+    /// Whether the coordinates are so large, compared with the skeleton, that single precision shows no true figure.
+    pub fn is_too_coarse(&self) -> bool {
+        self.too_coarse
     }
 
     /// How long to draw a joint's axes.
@@ -306,6 +320,22 @@ mod tests {
     }
 
     #[test]
+    fn coordinates_too_large_for_single_precision_are_noticed() {
+        let stage = |offset: Vec3, root: f32| {
+            let mut skeleton = skeleton::Skeleton::new();
+            let position = vec![skeleton::Channel::from_word("Xposition").unwrap()];
+            let parent = skeleton.add_joint(None, "r", Vec3::ZERO, position).unwrap();
+            skeleton.add_end_site(parent, "End Site", offset).unwrap();
+            Stage::new(Motion::new(skeleton, 2, 0.1, vec![0.0, root]).unwrap(), PositionChannels::Replace)
+        };
+        assert!(!stage(Vec3::Y, 1e5).is_too_coarse());
+        assert!(!stage(Vec3::Y * 1e12, 1e5).is_too_coarse());
+        assert!(!stage(Vec3::Y * 1e-7, 1e-5).is_too_coarse());
+        assert!(stage(Vec3::Y, -1e8).is_too_coarse());
+        assert!(stage(Vec3::Y * 3e38, 0.0).is_too_coarse());
+    }
+
+    #[test]
     fn a_motion_without_frames_shows_its_rest_pose_above_the_ground() {
         let stage = Stage::new(samples::chain(0, 1.0), PositionChannels::Replace);
         assert_eq!(stage.frame_count(), 1);
@@ -319,7 +349,7 @@ mod tests {
     proptest! {
         #[test]
         fn the_first_camera_shows_every_joint_in_any_unit(
-            scale in prop_oneof![Just(0.01f32), Just(1.0), Just(39.37), Just(1000.0)],
+            scale in prop_oneof![Just(1e-7f32), Just(0.01), Just(1.0), Just(39.37), Just(1e12)],
             frames in 0usize..40,
             width in 200usize..1500,
             height in 200usize..1500,

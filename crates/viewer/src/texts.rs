@@ -17,7 +17,9 @@ pub struct Facts<'a> {
     pub frame: usize,
     pub playing: bool,
     pub shown: Shown<'a>,
-    /// How many joints of the solid figure the picture does not show.
+    /// The figure to look at, when there is one.
+    pub solid: Option<&'a Pose>,
+    /// How many of its joints the picture does not show.
     pub outside: usize,
     pub ghost: bool,
     pub axes: bool,
@@ -60,7 +62,35 @@ fn state(facts: &Facts) -> Vec<Line> {
         }
     }
     lines.extend(facts.warnings.iter().map(|warning| Line::Trouble(warning.clone())));
+    if facts.stage.is_too_coarse() {
+        lines.push(Line::Trouble(
+            "the coordinates in this file are too large for single precision: the figure is distorted".into(),
+        ));
+    }
     lines.extend(functions(facts));
+    lines.extend(undrawn(facts));
+    lines
+}
+
+/// What cannot be seen of the figure to look at.
+fn undrawn(facts: &Facts) -> Vec<Line> {
+    let Some(pose) = facts.solid else { return Vec::new() };
+    let whose = match facts.shown {
+        Shown::Reference => "the",
+        Shown::Student { .. } => "your",
+    };
+    let (joints, outside, lost) = (pose.len(), facts.outside, nowhere(pose));
+    let mut lines = Vec::new();
+    if outside > 0 {
+        lines.push(Line::Trouble(format!(
+            "{outside} of {whose} {joints} joints are outside of the picture: press f to see all"
+        )));
+    }
+    if lost > 0 {
+        lines.push(Line::Trouble(format!(
+            "NaN or infinity as the place of {lost} of {whose} {joints} joints: not drawn"
+        )));
+    }
     lines
 }
 
@@ -83,20 +113,6 @@ fn functions(facts: &Facts) -> Vec<Line> {
         }
     }
     let Some(posed) = posed else { return lines };
-    let joints = posed.pose.len();
-    if facts.outside > 0 {
-        let text = format!(
-            "{} of your {joints} joints are outside of the picture: press f to see all",
-            facts.outside
-        );
-        lines.push(Line::Trouble(text));
-    }
-    let lost = nowhere(&posed.pose);
-    if lost > 0 {
-        lines.push(Line::Trouble(format!(
-            "NaN or infinity as the place of {lost} of your {joints} joints: not drawn"
-        )));
-    }
     match (posed.taken, posed.available) {
         (0, 1..) => lines.push(Line::Text("part 1 takes no angles of the frame yet".into())),
         (taken, available) if taken != available => lines.push(Line::Trouble(format!(
