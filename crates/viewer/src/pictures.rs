@@ -180,18 +180,20 @@ impl Studio {
         const SIZE: (usize, usize) = (1280, 640);
         const LAST: usize = 216;
         const STEP: usize = 24;
+        const AHEAD: f32 = 0.28;
+        const ASIDE: f32 = 0.36;
         let mut figures = Vec::new();
-        let mut points = Vec::new();
         for frame in (0..=LAST).step_by(STEP) {
-            let pose = self.stage.reference(frame);
-            points.extend(pose.transforms().iter().map(|transform| transform.position));
             let strength = 0.25 + 0.9 * (frame as f32 / LAST as f32).powi(2);
             let look = if frame == LAST { Look::Solid } else { Look::Echo(strength) };
-            figures.push(self.stage.figure(&pose, look, frame == LAST));
+            figures.push(self.stage.figure(&self.stage.reference(frame), look, frame == LAST));
         }
         let mut scene = self.scene(figures, Vec::new());
-        scene.camera.elevation = 0.16;
-        scene.camera.frame(&points, SIZE, 0.05, self.stage.size());
+        // From ahead of the runner, so that the echoes stand behind, and to the right of it.
+        let runner = scene.figures.last().map(|figure| figure.joints.clone()).unwrap_or_default();
+        (scene.camera.azimuth, scene.camera.elevation) = (scene.camera.azimuth - AHEAD, 0.12);
+        scene.camera.frame(&runner, SIZE, 0.06, 0.0);
+        scene.camera.target += scene.camera.view(SIZE).right * ASIDE * self.stage.size();
         self.draw(&scene, SIZE)
     }
 

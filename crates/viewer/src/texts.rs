@@ -69,6 +69,7 @@ fn state(facts: &Facts) -> Vec<Line> {
     }
     lines.extend(functions(facts));
     lines.extend(undrawn(facts));
+    lines.extend(angles(facts));
     lines
 }
 
@@ -95,9 +96,8 @@ fn undrawn(facts: &Facts) -> Vec<Line> {
 }
 
 fn functions(facts: &Facts) -> Vec<Line> {
-    let (posed, status) = match facts.shown {
-        Shown::Reference => return vec![Line::Text("the reference solution's figure".into())],
-        Shown::Student { posed, status } => (posed, status),
+    let Shown::Student { status, .. } = facts.shown else {
+        return vec![Line::Text("the reference solution's figure".into())];
     };
     let mut lines = Vec::new();
     match status {
@@ -112,15 +112,19 @@ fn functions(facts: &Facts) -> Vec<Line> {
             ));
         }
     }
-    let Some(posed) = posed else { return lines };
+    lines
+}
+
+/// Whether the student's functions take the right number of angles.
+fn angles(facts: &Facts) -> Option<Line> {
+    let Shown::Student { posed: Some(posed), .. } = facts.shown else { return None };
     match (posed.taken, posed.available) {
-        (0, 1..) => lines.push(Line::Text("part 1 takes no angles of the frame yet".into())),
-        (taken, available) if taken != available => lines.push(Line::Trouble(format!(
+        (0, 1..) => Some(Line::Text("part 1 takes no angles of the frame yet".into())),
+        (taken, available) if taken != available => Some(Line::Trouble(format!(
             "part 1 takes {taken} angles of this frame, which holds {available}: each joint takes its own three, or none"
         ))),
-        _ => {}
+        _ => None,
     }
-    lines
 }
 
 fn legend(facts: &Facts) -> Vec<Line> {
