@@ -16,6 +16,8 @@ pub(crate) fn detect(first: &[u8]) -> (Encoding, usize) {
     const BIG: Encoding = Encoding::Utf16 { little_endian: false };
     match *first {
         [0xef, 0xbb, 0xbf, ..] => (Encoding::Utf8, 3),
+        // UTF-32, which is not read. Its mark stays, to be seen.
+        [0xff, 0xfe, 0, 0] => (Encoding::Utf8, 0),
         [0xff, 0xfe, ..] => (LITTLE, 2),
         [0xfe, 0xff, ..] => (BIG, 2),
         [a, 0, b, 0] if a > 0 && b > 0 => (LITTLE, 0),

@@ -8,8 +8,8 @@ pub(crate) enum BadNumber {
     NotANumber,
     /// NaN, an infinity, or too far from zero to be held.
     NotFinite,
-    /// A comma, where a point may be meant.
-    Comma,
+    /// A comma or a semicolon, where a point or a blank may be meant.
+    Separator,
     TooLong,
 }
 
@@ -49,8 +49,11 @@ pub(crate) fn parse<F: Float>(word: &[u8]) -> Result<F, BadNumber> {
     match fast_float2::parse::<F, _>(word) {
         Ok(number) if number.into().is_finite() => Ok(number),
         Ok(_) => Err(BadNumber::NotFinite),
-        Err(_) if word.contains(&b',') && word.iter().any(u8::is_ascii_digit) => Err(BadNumber::Comma),
-        Err(_) => Err(BadNumber::NotANumber),
+        Err(_) => {
+            let separated = word.iter().any(|byte| matches!(byte, b',' | b';'));
+            let is_number = separated && word.iter().any(u8::is_ascii_digit);
+            Err(if is_number { BadNumber::Separator } else { BadNumber::NotANumber })
+        }
     }
 }
 
@@ -176,7 +179,8 @@ mod tests {
             ("nan", BadNumber::NotFinite),
             ("-Infinity", BadNumber::NotFinite),
             ("1e39", BadNumber::NotFinite),
-            ("1,5", BadNumber::Comma),
+            ("1,5", BadNumber::Separator),
+            ("1;2;3", BadNumber::Separator),
         ];
         for (word, problem) in problems {
             check(word);

@@ -32,7 +32,7 @@ fn a_file_error_begins_with_path_line_and_column() {
     let path = folder.path().join("my walk.bvh");
     std::fs::write(&path, with("5", "five")).expect("a file");
     let message = bvh::read_file(&path).expect_err("five is not a number").to_string();
-    let expected = format!("{}:15:3: `five` is not a number\n  | 4 five 6\n", path.display());
+    let expected = format!("{}:15:3: found `five`, expected a number\n  | 4 five 6\n", path.display());
     assert!(message.starts_with(&expected), "{message}");
 }
 
@@ -42,6 +42,24 @@ fn a_missing_file_is_named() {
     let path = folder.path().join("none.bvh");
     let message = bvh::read_file(&path).expect_err("there is no such file").to_string();
     assert!(message.starts_with(&format!("{}: cannot be opened: ", path.display())), "{message}");
+}
+
+#[test]
+fn what_is_no_text_is_guessed_and_not_shown() {
+    let utf32: [fn(u32) -> [u8; 4]; 2] = [u32::to_le_bytes, u32::to_be_bytes];
+    let utf32 = utf32.into_iter().flat_map(|bytes| {
+        ["", "\u{feff}"].map(|mark| {
+            let text = format!("{mark}{GOOD}");
+            ("UTF-32? save it as UTF-8", text.chars().flat_map(|c| bytes(u32::from(c))).collect())
+        })
+    });
+    let packed = [b"\x1f\x8b\x08\x08walk".to_vec(), b"PK\x03\x04\x14\0".to_vec()];
+    let packed = packed.map(|bytes| ("compressed? unpack it first", bytes));
+    for (guess, bytes) in utf32.chain(packed).chain([("not a text?", b"\xffBVH".to_vec())]) {
+        let error = bvh::read(bytes.as_slice()).expect_err(guess);
+        assert!(error.to_string().contains(&format!("` ({guess}); a BVH file begins with")), "{error}");
+        assert_eq!(error.snippet(), None, "{error}");
+    }
 }
 
 #[test]
@@ -89,6 +107,9 @@ fn cases() -> Vec<(&'static str, String)> {
         ("a picture", "\u{7f}PNG\r\n\u{1a}\n\0\0".to_owned()),
         ("zeros", "\0\0\0\0\0\0".to_owned()),
         ("prose", "Dear Sir or Madam".to_owned()),
+        ("a zip archive", "PK\u{3}\u{4}\u{14}\0".to_owned()),
+        ("no first line", GOOD.replace("HIERARCHY\n", "")),
+        ("only a motion", GOOD[GOOD.find("MOTION").unwrap_or(0)..].to_owned()),
         ("a conflict at the top", with("HIERARCHY\n", "<<<<<<< HEAD\nHIERARCHY\n")),
         ("a conflict among the joints", with("\tEnd Site", "=======\n\tEnd Site")),
         ("a conflict among the frames", with("4 5 6", "<<<<<<< HEAD\n4 5 6\n=======\n4 5 7\n>>>>>>> theirs")),
@@ -96,7 +117,7 @@ fn cases() -> Vec<(&'static str, String)> {
         ("no root", with("ROOT", "JOINT")),
         ("no name", with("ROOT Hips", "ROOT")),
         ("no opening brace", with("{\n", "")),
-        ("a brace that belongs to the name", with("Hips\n{", "Hips{")),
+        ("no opening brace behind a name that ends in two", with("Hips\n{", "Hips{{")),
         ("no offset", with("\tOFFSET 0 1 0\n", "")),
         ("an offset of two numbers", with("0 1 0", "0 1")),
         ("an offset of four numbers", with("0 1 0", "0 1 0 5")),
@@ -107,16 +128,22 @@ fn cases() -> Vec<(&'static str, String)> {
         ("fewer channels than counted", with("CHANNELS 3", "CHANNELS 4")),
         ("more channels than counted", with("CHANNELS 3", "CHANNELS 2")),
         ("channels that are not counted", with("CHANNELS 3", "CHANNELS")),
+        ("one channel of two", with("CHANNELS 3 Zrotation Xrotation", "CHANNELS 2")),
+        ("a count of channels that no number holds", with("CHANNELS 3", "CHANNELS 18446744073709551616")),
         ("a second offset", with("\tEnd", "\tOFFSET 1 2 3\n\tEnd")),
         ("an End Site that is something else", with("End Site", "End Point")),
         ("an End Site with channels", with("\t\tOFFSET 0 2 0\n", "\t\tOFFSET 0 2 0\n\t\tCHANNELS 0\n")),
         ("a closing brace too few", with("}\nMOTION", "MOTION")),
         ("a closing brace too many", with("}\nMOTION", "}\n}\nMOTION")),
+        ("a closing brace before all joints", with("ROOT", "}\nROOT")),
+        ("a closing brace that is cut off", GOOD[..GOOD.find("}\nMOTION").unwrap_or(0)].to_owned()),
         ("a root in a joint", with("\tEnd Site", "ROOT Other")),
         ("only joints", GOOD[..GOOD.find("MOTION").unwrap_or(0)].to_owned()),
         ("no count of frames", with("Frames: 2\n", "")),
         ("a negative count of frames", with("Frames: 2", "Frames: -1")),
         ("half a frame", with("Frames: 2", "Frames: 1.5")),
+        ("a count of frames with an exponent", with("Frames: 2", "Frames: 1e3")),
+        ("a count of frames that no number holds", with("Frames: 2", "Frames: 18446744073709551616")),
         ("no frame time", with("Frame Time: 0.04\n", "")),
         ("a word for a frame time", with("0.04", "fast")),
         ("an endless frame time", with("0.04", "inf")),
@@ -132,6 +159,13 @@ fn cases() -> Vec<(&'static str, String)> {
         ("a word for a number", with("5", "five")),
         ("a comma in the frames", with("4 5 6", "4,0 5,5 6,1")),
         ("frames separated by commas", with("4 5 6", "4,5,6")),
+        ("frames separated by semicolons", with("4 5 6", "4;5;6")),
+        (
+            "one frame of one channel that is missing",
+            with("CHANNELS 3 Zrotation Xrotation", "CHANNELS 1")
+                .replace("Frames: 2", "Frames: 1")
+                .replace("1 2 3\n4 5 6\n", ""),
+        ),
         ("NaN", with("5", "NaN")),
         ("NaN as C programs print it", with("5", "-1.#IND")),
         ("a number that is too large", with("5", "1e39")),

@@ -4,8 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::PathBuf;
 
-use skeleton::{Channel, MotionError, SkeletonError};
-
+use super::ErrorKind;
 use crate::Snippet;
 use crate::number::BadNumber;
 use crate::snippet::{printable, printable_start};
@@ -38,143 +37,6 @@ pub enum FileError {
         path: PathBuf,
         /// What is wrong in it, and where.
         cause: Error,
-    },
-}
-
-/// What is wrong: what was found and what was expected.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ErrorKind {
-    /// The system could not read on.
-    #[error("cannot be read: {0}")]
-    Io(#[source] io::Error),
-    /// There is no text at all.
-    #[error("the file is empty; a BVH file begins with HIERARCHY")]
-    Empty,
-    /// Something else altogether.
-    #[error("this is not a BVH file: it begins with `{found}`{guess}; a BVH file begins with HIERARCHY")]
-    NotBvh {
-        /// The first word.
-        found: String,
-        /// What it may be, as ` (…)`, or nothing.
-        guess: &'static str,
-    },
-    /// Version control has left its marks.
-    #[error("`{found}` marks a merge conflict that has not been resolved")]
-    MergeConflict {
-        /// The mark.
-        found: String,
-    },
-    /// Another word was expected.
-    #[error("found `{found}`, expected {expected}")]
-    Unexpected {
-        /// The word that is there.
-        found: String,
-        /// What could stand there.
-        expected: &'static str,
-    },
-    /// The text ends too soon.
-    #[error("the file ends here, expected {expected}")]
-    Ended {
-        /// What could stand there.
-        expected: &'static str,
-    },
-    /// A joint has no name.
-    #[error("a joint needs a name, on the same line as its {keyword}")]
-    NoName {
-        /// `ROOT` or `JOINT`.
-        keyword: &'static str,
-    },
-    /// A name is longer than any name should be.
-    #[error("this name is longer than {longest} bytes")]
-    LongName {
-        /// The longest that is read.
-        longest: usize,
-    },
-    /// No channel is called like this.
-    #[error("`{found}` is not a channel")]
-    UnknownChannel {
-        /// The word.
-        found: String,
-    },
-    /// A joint lists one channel twice.
-    #[error("{channel} is listed twice in the same joint")]
-    RepeatedChannel {
-        /// The channel.
-        channel: Channel,
-    },
-    /// A joint lists more or fewer channels than it says.
-    #[error("CHANNELS says {declared}, but {listed} are listed")]
-    ChannelCount {
-        /// The number behind `CHANNELS`.
-        declared: u64,
-        /// How many channels follow.
-        listed: u64,
-    },
-    /// A joint is still open where none may be.
-    #[error("a `}}` is missing: the joint `{joint}`, opened in line {line}, is not closed")]
-    NotClosed {
-        /// The innermost open joint's name.
-        joint: String,
-        /// Where it begins.
-        line: u64,
-    },
-    /// There is one closing brace too many.
-    #[error("this `}}` closes nothing: every joint has been closed before")]
-    NothingToClose,
-    /// A number does not look like one.
-    #[error("`{found}` is not a number")]
-    NotANumber {
-        /// The word.
-        found: String,
-    },
-    /// A number with a comma.
-    #[error("`{found}` has a comma in it")]
-    Comma {
-        /// The word.
-        found: String,
-    },
-    /// NaN, or infinity, or too large to be held.
-    #[error("`{found}` is not a finite number")]
-    NotFinite {
-        /// The word.
-        found: String,
-    },
-    /// Something is longer than any number.
-    #[error("a number longer than {longest} characters, or no number")]
-    LongNumber {
-        /// The longest that is read.
-        longest: usize,
-    },
-    /// The skeleton does not take a joint.
-    #[error("{0}")]
-    Skeleton(#[source] SkeletonError),
-    /// The numbers do not make whole frames.
-    #[error("{0}")]
-    Motion(#[source] MotionError),
-    /// The rows hold other numbers of values than there are channels.
-    #[error("this line holds {width} numbers, but the skeleton has {channels} channels")]
-    RowWidth {
-        /// Numbers on the line.
-        width: u64,
-        /// Channels of all joints.
-        channels: u64,
-    },
-    /// The text ends before all frames are there.
-    #[error(
-        "too few numbers: {frames} frames × {channels} channels need {}, found {found}. {}",
-        u128::from(*frames) * u128::from(*channels),
-        about_rows(*odd_line, *found, *channels)
-    )]
-    TooFewNumbers {
-        /// Frames that the text declares.
-        frames: u64,
-        /// Channels of all joints.
-        channels: u64,
-        /// Numbers that are there.
-        found: u64,
-        /// The first line with another count of numbers than there are channels, and its count.
-        odd_line: Option<(u64, u64)>,
     },
 }
 
@@ -213,12 +75,17 @@ impl Error {
         Error { place, snippet, kind: Box::new(kind) }
     }
 
-    /// An error at a place of `source` that has been left behind. As [`Error::here`], if the system could not
-    /// read on.
-    pub(super) fn before(place: Place, source: &mut Source, kind: ErrorKind) -> Self {
+    /// An error at a place of `source` that has been left behind, and what is to be shown of its line. As
+    /// [`Error::here`], if the system could not read on.
+    pub(super) fn before(
+        place: Place,
+        snippet: Option<Snippet>,
+        source: &mut Source,
+        kind: ErrorKind,
+    ) -> Self {
         match source.take_failure() {
             Some(cause) => Error::here(source, ErrorKind::Io(cause)),
-            None => Error { place, snippet: None, kind: Box::new(kind) },
+            None => Error { place, snippet, kind: Box::new(kind) },
         }
     }
 
@@ -244,7 +111,7 @@ impl Error {
             _ if word.is_empty() => ErrorKind::Ended { expected: "a number" },
             _ if is_conflict_mark(word) => ErrorKind::MergeConflict { found },
             BadNumber::NotANumber => ErrorKind::NotANumber { found },
-            BadNumber::Comma => ErrorKind::Comma { found },
+            BadNumber::Separator => ErrorKind::Separator { found },
             BadNumber::NotFinite => ErrorKind::NotFinite { found },
             BadNumber::TooLong => ErrorKind::LongNumber { longest: LONGEST_WORD },
         };
@@ -252,61 +119,9 @@ impl Error {
     }
 }
 
-impl ErrorKind {
-    fn help(&self) -> &'static str {
-        match self {
-            ErrorKind::Io(_) => "Check that the file is a file, and that you may read it.",
-            ErrorKind::Empty | ErrorKind::NotBvh { .. } => "Check that this is the file you mean.",
-            ErrorKind::MergeConflict { .. } => {
-                "Keep one of the two versions, and delete the lines that begin with <<<<<<<, ======= and >>>>>>>."
-            }
-            ErrorKind::Unexpected { .. } => {
-                "Look for a word that is missing, misspelt or too many, here or just above."
-            }
-            ErrorKind::Ended { .. } => "The file seems to be cut off: get it again from where it came from.",
-            ErrorKind::NoName { .. } => "Write a name behind the word.",
-            ErrorKind::LongName { .. } => "Shorten the name; or look for a line break that is missing.",
-            ErrorKind::UnknownChannel { .. } => {
-                "Write one of Xposition, Yposition, Zposition, Xrotation, Yrotation and Zrotation."
-            }
-            ErrorKind::RepeatedChannel { .. } => {
-                "A joint can have each of the six channels once: correct the word."
-            }
-            ErrorKind::ChannelCount { .. } => "Make the number and the words behind it agree.",
-            ErrorKind::NotClosed { .. } => "Every `{` needs its `}`: write it where the joint ends.",
-            ErrorKind::NothingToClose => "Delete it, or look for a `{` that is missing above.",
-            ErrorKind::NotANumber { .. } => "Write a number such as -12.5 or 1e-6.",
-            ErrorKind::Comma { .. } => {
-                "Write a point in numbers (1.5, not 1,5), and put blanks between numbers, not commas."
-            }
-            ErrorKind::NotFinite { .. } => {
-                "Such a number has no place in a skeleton. Put the right number there."
-            }
-            ErrorKind::LongNumber { .. } => "Look for a blank that is missing.",
-            ErrorKind::Skeleton(_) | ErrorKind::Motion(_) => "Look at the lines just above.",
-            ErrorKind::RowWidth { .. } => {
-                "Every frame has one number for each channel. Do the CHANNELS above belong to these frames?"
-            }
-            ErrorKind::TooFewNumbers { .. } => {
-                "Correct the number behind `Frames:`, or get the file again if it is cut off."
-            }
-        }
-    }
-}
-
 /// Whether `word` is one of the marks that version control leaves in a file.
 pub(super) fn is_conflict_mark(word: &[u8]) -> bool {
     matches!(word.get(..7), Some(b"<<<<<<<" | b"=======" | b">>>>>>>" | b"|||||||"))
-}
-
-fn about_rows(odd_line: Option<(u64, u64)>, found: u64, channels: u64) -> String {
-    match odd_line {
-        Some((line, width)) => {
-            format!("Line {line} is the first that holds {width} numbers instead of {channels}")
-        }
-        None if found == 0 => String::from("There are no frames at all"),
-        None => format!("Every line holds {channels} numbers, as it should"),
-    }
 }
 
 impl fmt::Display for Error {

@@ -6,6 +6,7 @@ use skeleton::{Channel, JointId, Skeleton, SkeletonError};
 use super::error::is_conflict_mark;
 use super::warning::warn;
 use super::{Error, ErrorKind, Warning, WarningKind, words};
+use crate::Snippet;
 use crate::snippet::printable_start;
 use crate::source::{LONGEST_WORD, Place, Source, is_blank};
 
@@ -51,7 +52,7 @@ impl Reader<'_, '_> {
 
     /// Reads a joint from its name up to its channels. What else belongs to it, up to its `}`, comes later.
     fn joint(&mut self, parent: Option<JointId>) -> Result<(), Error> {
-        let (name, place) = self.name()?;
+        let (mut name, place) = self.name()?;
         if name.is_empty() {
             let keyword = if parent.is_some() { "JOINT" } else { "ROOT" };
             return Err(Error::here(self.source, ErrorKind::NoName { keyword }));
@@ -59,7 +60,7 @@ impl Reader<'_, '_> {
         if parent.is_none() && !self.skeleton.is_empty() {
             warn(self.warnings, place, WarningKind::SeveralRoots);
         }
-        words::take(self.source, "{", "`{`, set off by a blank")?;
+        self.opening_brace(&mut name)?;
         let (mut offset, mut channels) = (None, None);
         loop {
             if offset.is_none() && self.source.take_word("OFFSET") {
@@ -89,8 +90,8 @@ impl Reader<'_, '_> {
             self.source.take_word("End");
             return Err(Error::unexpected(self.source, "`Site` behind `End`"));
         }
-        let (name, place) = self.name()?;
-        words::take(self.source, "{", "`{`, set off by a blank")?;
+        let (mut name, place) = self.name()?;
+        self.opening_brace(&mut name)?;
         words::take(self.source, "OFFSET", "OFFSET and three numbers")?;
         let offset = self.vector()?;
         words::take(self.source, "}", "`}`: an End Site has an OFFSET and nothing else")?;
@@ -102,12 +103,12 @@ impl Reader<'_, '_> {
     /// Takes the rest of the line, or what stands in front of a lone `{` in it. Gives the name and its place.
     fn name(&mut self) -> Result<(String, Place), Error> {
         let line = self.source.peek_line();
-        let end = lone_brace(line).unwrap_or(line.len());
-        if end > LONGEST_WORD {
-            return Err(Error::here(self.source, ErrorKind::LongName { longest: LONGEST_WORD }));
+        let (end, is_cut) = (lone_brace(line).unwrap_or(line.len()), line.len() > LONGEST_WORD);
+        let behind = line[..end].iter().rposition(|&byte| !is_blank(byte)).map_or(0, |last| last + 1);
+        if behind > LONGEST_WORD {
+            return Err(self.long_name());
         }
         let name = &line[..end];
-        let behind = name.iter().rposition(|&byte| !is_blank(byte)).map_or(0, |last| last + 1);
         let (name, is_utf8) = match std::str::from_utf8(&name[..behind]) {
             Ok(name) => (name.to_owned(), true),
             Err(_) => (String::from_utf8_lossy(&name[..behind]).into_owned(), false),
@@ -117,7 +118,26 @@ impl Reader<'_, '_> {
             warn(self.warnings, place, WarningKind::NameEncoding { name: printable_start(name.as_bytes()) });
         }
         self.source.take(behind);
+        // Blanks behind a name are no part of it, however many.
+        let rest = if is_cut { self.source.peek_line() } else { &[] };
+        if !rest.is_empty() && lone_brace(rest) != Some(0) {
+            return Err(self.long_name());
+        }
         Ok((name, place))
+    }
+
+    fn long_name(&mut self) -> Error {
+        Error::here(self.source, ErrorKind::LongName { longest: LONGEST_WORD })
+    }
+
+    /// Takes the `{` behind a name; or off the name, if it ends in one (`Hips{`) and no other comes.
+    fn opening_brace(&mut self, name: &mut String) -> Result<(), Error> {
+        let goes_on = ["OFFSET", "CHANNELS"].into_iter().any(|word| self.source.is_word(word));
+        if goes_on && name.ends_with('{') && !name.ends_with("{{") {
+            name.pop();
+            return Ok(());
+        }
+        words::take(self.source, "{", "`{`, set off by a blank")
     }
 
     fn vector(&mut self) -> Result<Vec3, Error> {
@@ -127,7 +147,9 @@ impl Reader<'_, '_> {
 
     /// Reads the number behind `CHANNELS` and as many words.
     fn channels(&mut self) -> Result<Vec<Channel>, Error> {
-        let (declared, place) = words::count(self.source, "the number of channels")?;
+        self.source.peek();
+        let snippet = self.source.snippet();
+        let (declared, place) = words::count(self.source, "the number of channels, a whole number")?;
         let mut channels = Vec::new();
         loop {
             let word = self.source.peek();
@@ -144,18 +166,19 @@ impl Reader<'_, '_> {
         let listed = channels.len() as u64;
         match listed == declared {
             true => Ok(channels),
-            false => Err(self.miscounted_channels(place, declared, listed)),
+            false => Err(self.miscounted_channels(place, snippet, declared, listed)),
         }
     }
 
     /// The list of channels is over, but at a word that may be meant as a channel, or not after as many as
     /// declared.
-    fn miscounted_channels(&mut self, place: Place, declared: u64, listed: u64) -> Error {
+    fn miscounted_channels(&mut self, place: Place, snippet: Snippet, declared: u64, listed: u64) -> Error {
         const OTHER_WORDS: [&str; 8] = ["{", "}", "ROOT", "JOINT", "End", "OFFSET", "CHANNELS", "MOTION"];
         let is_other = OTHER_WORDS.into_iter().any(|word| self.source.is_word(word));
         match self.source.peek() {
             _ if is_other || listed > declared => {
-                Error::before(place, self.source, ErrorKind::ChannelCount { declared, listed })
+                let kind = ErrorKind::ChannelCount { declared, listed };
+                Error::before(place, Some(snippet), self.source, kind)
             }
             word if word.is_empty() || is_conflict_mark(word) => Error::unexpected(self.source, "a channel"),
             word => {
@@ -171,7 +194,7 @@ impl Reader<'_, '_> {
     }
 
     fn not_a_root(&mut self) -> Error {
-        if self.source.is_word("}") {
+        if self.source.is_word("}") && !self.skeleton.is_empty() {
             return Error::here(self.source, ErrorKind::NothingToClose);
         }
         Error::unexpected(self.source, if self.skeleton.is_empty() { "ROOT" } else { "ROOT or MOTION" })
@@ -184,7 +207,12 @@ impl Reader<'_, '_> {
         }
         let joint = self.skeleton.label(parent);
         let line = self.places.get(parent.0).map_or(0, |place| place.line);
-        Error::here(self.source, ErrorKind::NotClosed { joint: printable_start(joint.as_bytes()), line })
+        let joint = printable_start(joint.as_bytes());
+        let found = match self.source.peek() {
+            [] => String::from("the end of the file"),
+            word => format!("`{}`", printable_start(word)),
+        };
+        Error::here(self.source, ErrorKind::NotClosed { found, joint, line })
     }
 
     /// Warns if two joints share a name: at the first that repeats one.
@@ -223,6 +251,10 @@ pub(super) fn is_end_site(line: &[u8]) -> bool {
 
 /// The text does not begin as it should. What else may it be?
 fn not_a_hierarchy(source: &mut Source) -> Error {
+    if source.is_word("ROOT") || source.is_word("MOTION") {
+        let found = printable_start(source.peek());
+        return Error::here(source, ErrorKind::NoHierarchy { found });
+    }
     let word = source.peek();
     let found = printable_start(word);
     let guess = match word {
@@ -231,10 +263,27 @@ fn not_a_hierarchy(source: &mut Source) -> Error {
         [b'{' | b'[', ..] => " (JSON?)",
         [b'<', ..] => " (XML?)",
         [b'#' | b':', ..] => " (Acclaim?)",
-        word if word.iter().any(u8::is_ascii_control) || std::str::from_utf8(word).is_err() => {
-            " (not a text?)"
-        }
-        _ => "",
+        _ => match not_a_text(word) {
+            Some(guess) => {
+                let (place, kind) = (source.place(), ErrorKind::NotBvh { found, guess });
+                return Error::before(place, None, source, kind);
+            }
+            None => "",
+        },
     };
     Error::here(source, ErrorKind::NotBvh { found, guess })
+}
+
+/// What a file may be that begins with these bytes, if they are no text that can be shown.
+fn not_a_text(word: &[u8]) -> Option<&'static str> {
+    match word {
+        [0x1f, 0x8b, ..] | [b'P', b'K', 3, 4, ..] => Some(" (compressed? unpack it first)"),
+        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] | [1..=255, 0, 0, 0, ..] | [0, 0, 0, 1..=255, ..] => {
+            Some(" (UTF-32? save it as UTF-8)")
+        }
+        word if word.iter().any(u8::is_ascii_control) || std::str::from_utf8(word).is_err() => {
+            Some(" (not a text?)")
+        }
+        _ => None,
+    }
 }

@@ -13,7 +13,8 @@
 //! - Words stand apart by blanks, tabs and line breaks, as many as you like; braces and colons stand for
 //!   themselves. Upper and lower case are the same in the format's own words. `OFFSET` and `CHANNELS` may change
 //!   places.
-//! - A name is the rest of its line, whatever letters and blanks it holds; a lone `{` ends it too. What stands
+//! - A name is the rest of its line, whatever letters and blanks it holds; a lone `{` ends it too, and so does one right
+//!   behind the name where no other comes (`Hips{`). What stands
 //!   behind `End Site` is part of that End Site's name.
 //! - After the header the numbers form one stream: frame after frame, each with one number for every channel, in
 //!   the order of the hierarchy. Where lines end does not matter as long as the numbers are as many as declared.
@@ -33,6 +34,7 @@
 
 mod error;
 mod hierarchy;
+mod kind;
 mod motion;
 mod rows;
 mod warning;
@@ -48,7 +50,8 @@ use skeleton::Motion;
 use crate::encoding::{self, Encoding, FromUtf16};
 use crate::source::Source;
 
-pub use error::{Error, ErrorKind, FileError};
+pub use error::{Error, FileError};
+pub use kind::ErrorKind;
 pub use warning::{Warning, WarningKind};
 pub use write::{WriteError, write};
 

@@ -43,7 +43,7 @@ fn frame_count(source: &mut Source) -> Result<u64, Error> {
     for word in ["Frames", ":"] {
         words::take(source, word, "`Frames:` and the number of frames")?;
     }
-    words::count(source, "the number of frames").map(|(count, _)| count)
+    words::count(source, "the number of frames, a whole number").map(|(count, _)| count)
 }
 
 /// Reads `Frame Time: 0.0333`. Gives where the number stands, too.
@@ -157,7 +157,7 @@ impl Numbers {
             let odd_line = self.rows.odd_line();
             let kind = ErrorKind::TooFewNumbers { frames, channels, found: self.count(), odd_line };
             return Err(match odd_line {
-                Some((line, _)) => Error::before(Place { line, column: 1 }, source, kind),
+                Some((line, _)) => Error::before(Place { line, column: 1 }, None, source, kind),
                 None => Error::here(source, kind),
             });
         }
@@ -165,6 +165,7 @@ impl Numbers {
             if let Some((line, width)) = self.rows.unfit_line(frames) {
                 return Err(Error::before(
                     Place { line, column: 1 },
+                    None,
                     source,
                     ErrorKind::RowWidth { width, channels },
                 ));

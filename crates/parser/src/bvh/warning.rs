@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::kind::counted;
 use super::write::Shortest;
 use crate::source::Place;
 
@@ -24,7 +25,7 @@ pub enum WarningKind {
     #[error("the text is UTF-16; it was converted. Save it as UTF-8 so that other programs can read it")]
     Utf16,
     /// Lines end with a carriage return alone.
-    #[error("the line ends with a lone carriage return; it was read as a line break")]
+    #[error("lines end with CR alone, this one first; they were read as lines all the same")]
     LoneReturn,
     /// A name is not UTF-8.
     #[error("the name `{name}` is not UTF-8; what cannot be read of it was replaced")]
@@ -62,7 +63,8 @@ pub enum WarningKind {
     },
     /// There are frames, but nothing that could move in them.
     #[error(
-        "no joint has channels, so that the {declared} frames are empty; the motion was read without frames"
+        "no joint has channels, so that the {} declared can hold no numbers; the motion was read without frames",
+        counted(*declared, "frame")
     )]
     EmptyFrames {
         /// Frames that the text declares.
@@ -70,8 +72,9 @@ pub enum WarningKind {
     },
     /// As many lines as frames, and in sum the right number of values, but not on every line.
     #[error(
-        "this line holds {width} numbers, a frame {channels}; the numbers were read on across the line ends, \
-         because in sum they are right"
+        "this line holds {}, a frame {channels}; the numbers were read on across the line ends, because in sum they \
+         are right",
+        counted(*width, "number")
     )]
     UnevenRows {
         /// Numbers on the line.
@@ -80,7 +83,11 @@ pub enum WarningKind {
         channels: u64,
     },
     /// There are more numbers than the frames need.
-    #[error("`Frames:` says {declared}, but {surplus} more numbers follow; they were left out")]
+    #[error(
+        "found {} more than the {} that `Frames:` says; what is too much was left out",
+        counted(*surplus, "number"),
+        counted(*declared, "frame")
+    )]
     MoreRows {
         /// Frames that the text declares.
         declared: u64,

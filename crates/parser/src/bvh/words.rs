@@ -1,7 +1,8 @@
 //! Words that must come next.
 
-use super::Error;
+use super::{Error, ErrorKind};
 use crate::number;
+use crate::snippet::printable_start;
 use crate::source::{Place, Source};
 
 /// Takes `word`, in upper or lower case.
@@ -29,13 +30,16 @@ pub(super) fn number<F: number::Float>(source: &mut Source) -> Result<F, Error> 
 pub(super) fn count(source: &mut Source, expected: &'static str) -> Result<(u64, Place), Error> {
     let word = source.peek();
     let length = word.len();
-    let digits = Some(word).filter(|word| word.iter().all(u8::is_ascii_digit));
-    match digits.and_then(|digits| std::str::from_utf8(digits).ok()).and_then(|digits| digits.parse().ok()) {
-        Some(count) => {
-            let place = source.place();
-            source.take(length);
-            Ok((count, place))
-        }
-        None => Err(Error::unexpected(source, expected)),
-    }
+    let digits = std::str::from_utf8(word).ok().filter(|word| word.bytes().all(|byte| byte.is_ascii_digit()));
+    let Some(digits) = digits.filter(|digits| !digits.is_empty()) else {
+        return Err(Error::unexpected(source, expected));
+    };
+    // Digits alone are a count, unless they are too many.
+    let Ok(count) = digits.parse() else {
+        let found = printable_start(word);
+        return Err(Error::here(source, ErrorKind::LargeCount { found, expected }));
+    };
+    let place = source.place();
+    source.take(length);
+    Ok((count, place))
 }
