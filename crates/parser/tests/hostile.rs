@@ -177,7 +177,7 @@ fn a_million_joints_deep_is_not_too_deep() {
 
     let (reading, memory) = measure(repeated(&text[..2]));
     let message = reading.expect_err("a skeleton without its end").to_string();
-    assert!(message.contains("a `}` is missing"), "{message}");
+    assert!(message.contains("expected `}`: the joint `a`"), "{message}");
     assert!(memory < PER_BYTE * size, "{memory} bytes for a text of {size}");
 }
 
