@@ -5,7 +5,9 @@
 //!
 //! - `X.expected.json` (see [`Expected`]): reading must succeed and the poses must agree;
 //! - or `X.expected-error`, an empty file: reading must fail with an error that names line and column;
-//! - or neither: reading must end in a motion or in such an error.
+//! - or neither: reading must end in a motion or in such an error. In `data/` no motion may be without poses.
+//!
+//! What is expected of a file that is not there is an error of the folder.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -79,15 +81,24 @@ enum Verdict {
 #[test]
 fn corpus_agrees_with_the_reference_solution() {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let folder = std::env::var_os("FK_LAB_CORPUS").map_or(workspace.join("data"), PathBuf::from);
-    let mut files = Vec::new();
-    find_motions(&folder, &mut files);
+    let other_folder = std::env::var_os("FK_LAB_CORPUS").map(PathBuf::from);
+    let must_compare = other_folder.is_none();
+    let folder = other_folder.unwrap_or(workspace.join("data"));
+    let Found { motions: mut files, mut orphans } = find_files(&folder);
     files.sort();
+    orphans.sort();
 
-    let (mut right, mut compared, mut unread, mut failures) = (0, 0, 0, Vec::new());
+    let (mut right, mut compared, mut unread) = (0, 0, 0);
+    let mut failures: Vec<String> = orphans
+        .iter()
+        .map(|orphan| format!("{}: the motion file that it is about is missing", orphan.display()))
+        .collect();
     let mut worst = Worst::default();
     for file in &files {
         match check(file) {
+            Verdict::Right(None) if must_compare => {
+                failures.push(format!("{}: there are no poses to compare it with", file.display()));
+            }
             Verdict::Right(difference) => {
                 right += 1;
                 compared += usize::from(difference.is_some());
@@ -111,19 +122,56 @@ fn corpus_agrees_with_the_reference_solution() {
     );
     out.write_all(summary.as_bytes()).expect("stderr can be written");
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+    assert!(compared > 0 || !must_compare, "no motion was compared in {}", folder.display());
     assert!(checked > 0, "no motion file was checked in {}", folder.display());
 }
 
-fn find_motions(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
-        let entry = entry.expect("a folder can be listed");
-        let path = entry.path();
-        if entry.file_type().expect("an entry has a type").is_dir() {
-            find_motions(&path, found);
-        } else if has_extension(&path, "bvh") || has_extension(&path, "amc") {
-            found.push(path);
+/// What a folder holds.
+#[derive(Default)]
+struct Found {
+    motions: Vec<PathBuf>,
+    /// Files that say what is expected of a motion file which is not there.
+    orphans: Vec<PathBuf>,
+}
+
+fn find_files(folder: &Path) -> Found {
+    let mut found = Found::default();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
+            let entry = entry.expect("a folder can be listed");
+            let path = entry.path();
+            if entry.file_type().expect("an entry has a type").is_dir() {
+                folders.push(path);
+            } else if has_extension(&path, "bvh") || has_extension(&path, "amc") {
+                found.motions.push(path);
+            } else if expected_of(&path).is_some_and(|motion| !motion.exists()) {
+                found.orphans.push(path);
+            }
         }
     }
+    found
+}
+
+/// `walk.bvh.expected.json` and `walk.bvh.expected-error` give `walk.bvh`.
+fn expected_of(path: &Path) -> Option<PathBuf> {
+    let name = path.file_name()?.to_str()?;
+    let motion = [".expected.json", ".expected-error"].into_iter().find_map(|end| name.strip_suffix(end))?;
+    Some(path.with_file_name(motion))
+}
+
+#[test]
+fn expectations_of_missing_files_are_found() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let inner = folder.path().join("inner");
+    fs::create_dir(&inner).expect("a folder");
+    for name in ["a.bvh", "a.bvh.expected.json", "b.bvh.expected.json", "c.bvh.expected-error", "notes.md"] {
+        fs::write(inner.join(name), "").expect("a file");
+    }
+    let Found { motions, mut orphans } = find_files(folder.path());
+    orphans.sort();
+    assert_eq!(motions, [inner.join("a.bvh")]);
+    assert_eq!(orphans, ["b.bvh.expected.json", "c.bvh.expected-error"].map(|name| inner.join(name)));
 }
 
 fn has_extension(path: &Path, wanted: &str) -> bool {
