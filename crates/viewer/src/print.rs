@@ -67,10 +67,11 @@ fn name(name: &str) -> String {
     if name.is_empty() {
         return "(no name)".into();
     }
-    match name.char_indices().nth(WIDEST) {
-        None => printable(name),
-        Some((end, _)) => printable(&name[..end]) + "…",
+    if name.chars().count() <= WIDEST {
+        return printable(name);
     }
+    let start: String = name.chars().take(WIDEST - 1).collect();
+    printable(&start) + "…"
 }
 
 /// The channels, three positions or rotations in one word.
@@ -159,14 +160,19 @@ fn orders(joints: &[Joint]) -> String {
     words.join(", ")
 }
 
-/// [`Skeleton::extent`] in double precision: the squares of large lengths do not fit into single precision.
+/// [`Skeleton::extent`] in double precision, and counted from the first root: the squares of large lengths do not fit
+/// into single precision, and a small skeleton may stand far away.
 fn extent(skeleton: &Skeleton) -> f64 {
-    let positions = skeleton.rest_positions();
+    let joints = skeleton.joints();
+    let Some(first) = joints.first() else { return 0.0 };
     let along = |axis: usize| {
-        let places = positions.iter().map(|position| f64::from(position[axis]));
-        let (low, high) = places
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place), high.max(place)));
-        if positions.is_empty() { 0.0 } else { high - low }
+        let mut places: Vec<f64> = Vec::with_capacity(joints.len());
+        for joint in joints {
+            let start = joint.parent.map_or(-f64::from(first.offset[axis]), |parent| places[parent.0]);
+            places.push(start + f64::from(joint.offset[axis]));
+        }
+        let low = places.iter().copied().fold(f64::INFINITY, f64::min);
+        places.iter().copied().fold(f64::NEG_INFINITY, f64::max) - low
     };
     (0..3).map(|axis| along(axis).powi(2)).sum::<f64>().sqrt()
 }
@@ -244,7 +250,7 @@ mod tests {
     #[test]
     fn a_name_that_is_cut_says_so() {
         assert_eq!(name(&"ä".repeat(48)), "ä".repeat(48));
-        assert_eq!(name(&"ä".repeat(49)), "ä".repeat(48) + "…");
+        assert_eq!(name(&"ä".repeat(49)), "ä".repeat(47) + "…");
         assert_eq!(name(""), "(no name)");
     }
 
@@ -290,6 +296,14 @@ mod tests {
         }
         let text = summary(&Motion::new(skeleton, 1, 1e6, vec![0.0]).unwrap());
         assert!(text.contains("1000000 s (1e-6 frames per second)"), "{text}");
+
+        let mut far = Skeleton::new();
+        let root = far.add_joint(None, "r", Vec3::splat(3e38), []).unwrap();
+        let arm = far.add_joint(Some(root), "j", Vec3::Y, []).unwrap();
+        assert_eq!(extent(&far), 1.0);
+        far.add_end_site(arm, "End Site", Vec3::Y * 3e38).unwrap();
+        assert_eq!(number(extent(&far), 3), "3e38");
+        assert_eq!(extent(&Skeleton::new()), 0.0);
 
         let mut rigid = Skeleton::new();
         rigid.add_joint(None, "r", Vec3::ZERO, []).unwrap();

@@ -163,6 +163,9 @@ fn nowhere(pose: &Pose) -> usize {
 
 /// A number with at most three digits that matter behind the point.
 fn rounded(number: f64) -> String {
+    if !(1e-3..1e7).contains(&number.abs()) {
+        return format!("{number:.0e}");
+    }
     let digits = (2 - number.abs().max(1e-9).log10().floor() as i32).clamp(0, 9) as usize;
     let text = format!("{number:.digits$}");
     match text.contains('.') {
@@ -177,7 +180,9 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        for (number, text) in [(0.5, "0.5"), (20.0, "20"), (119.97, "120"), (29.97, "30"), (0.002, "0.002")] {
+        for (number, text) in
+            [(0.5, "0.5"), (20.0, "20"), (119.97, "120"), (29.97, "30"), (0.002, "0.002"), (2e11, "2e11")]
+        {
             assert_eq!(rounded(number), text);
         }
         assert_eq!(rounded(59.94), "59.9");
