@@ -33,9 +33,11 @@ struct Display {
 
 impl Display {
     fn start() -> Display {
+        // Without -noreset the server starts anew when its last client goes: a search for the window may be that client,
+        // and the viewer, which connects just then, is turned away.
         // The server chooses a free number and writes it to its standard output.
         let mut server = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp"])
+            .args(["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
