@@ -143,7 +143,8 @@ fn state(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport]) -> 
         None => PartState::Wrong,
         Some(Failure::Panicked { .. }) => PartState::Panicked,
         Some(Failure::TimedOut { .. }) => PartState::TimedOut,
-        Some(Failure::Crashed { .. } | Failure::NoAnswer { .. }) => PartState::Crashed,
+        Some(Failure::Crashed { .. }) => PartState::Crashed,
+        Some(Failure::NoAnswer { .. }) => PartState::NotAsked,
     }
 }
 

@@ -76,6 +76,8 @@ pub enum PartState {
     TimedOut,
     /// At least one check ended the process, and none is right.
     Crashed,
+    /// At least one check could not be asked, for a reason that is not the student's, and none is right.
+    NotAsked,
 }
 
 impl PartState {
@@ -89,6 +91,7 @@ impl PartState {
             PartState::Panicked => "panicked",
             PartState::TimedOut => "timed out",
             PartState::Crashed => "crashed",
+            PartState::NotAsked => "could not be asked",
         }
     }
 }
