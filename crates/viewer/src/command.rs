@@ -207,8 +207,7 @@ fn parse_size(text: &str) -> Result<(usize, usize), String> {
 }
 
 fn keys_for_terminal() -> String {
-    let rows = keys::BINDINGS.iter().map(|binding| (binding.name, binding.help)).chain(keys::MOUSE);
-    let rows: String = rows.map(|(name, help)| format!("  {name:<8} {help}\n")).collect();
+    let rows: String = keys::help().map(|(name, help)| format!("  {name:<8} {help}\n")).collect();
     format!("Keys in the window:\n{rows}")
 }
 

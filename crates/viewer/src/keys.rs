@@ -56,8 +56,12 @@ pub const BINDINGS: [Binding; 9] = [
 ];
 
 /// What the mouse does: its name and its effect, for people.
-pub const MOUSE: [(&str, &str); 2] =
-    [("drag", "look from another side"), ("wheel", "closer or farther away")];
+const MOUSE: [(&str, &str); 2] = [("drag", "look from another side"), ("wheel", "closer or farther away")];
+
+/// Keys and mouse, name and effect for people: what the help in the window, `--help` and the book say.
+pub fn help() -> impl Iterator<Item = (&'static str, &'static str)> {
+    BINDINGS.iter().map(|binding| (binding.name, binding.help)).chain(MOUSE)
+}
 
 const fn binding(key: Key, name: &'static str, action: Action, help: &'static str) -> Binding {
     Binding { key, shift: false, action, repeats: false, name, help }

@@ -4,7 +4,7 @@ use glam::Vec3;
 use skeleton::Pose;
 
 use crate::app::Shown;
-use crate::keys::{BINDINGS, MOUSE};
+use crate::keys;
 use crate::scene::{Corner, Line, Panel, Side, Tint};
 use crate::stage::Stage;
 use crate::student::Status;
@@ -151,8 +151,7 @@ fn legend(facts: &Facts) -> Vec<Line> {
 }
 
 fn help() -> Vec<Line> {
-    let keys = BINDINGS.iter().map(|binding| (binding.name, binding.help));
-    keys.chain(MOUSE).map(|(name, help)| Line::Key(name, help.to_owned())).collect()
+    keys::help().map(|(name, help)| Line::Key(name, help.to_owned())).collect()
 }
 
 /// How many joints have no place.

@@ -3,14 +3,13 @@
 use std::path::Path;
 use std::{env, fs};
 
-use viewer::keys::{BINDINGS, MOUSE};
+use viewer::keys;
 
 #[test]
 fn the_keys_in_the_book_are_those_of_the_table() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/viewer.md");
     let text = fs::read_to_string(&path).unwrap();
-    let keys = BINDINGS.iter().map(|binding| (binding.name, binding.help)).chain(MOUSE);
-    let rows: String = keys.map(|(name, help)| format!("| {name} | {help} |\n")).collect();
+    let rows: String = keys::help().map(|(name, help)| format!("| {name} | {help} |\n")).collect();
     let table = format!("| key | what it does |\n|---|---|\n{rows}");
 
     let (begin, end) = ("<!-- keys: begin -->\n", "<!-- keys: end -->");

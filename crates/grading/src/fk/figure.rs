@@ -1,7 +1,7 @@
 //! Skeletons and motions that questions are about.
 
 use glam::Vec3;
-use skeleton::{Axis, Channel, Frame, JointId, Motion, PositionChannels, RotationOrder, Skeleton};
+use skeleton::{Axis, Channel, JointId, Motion, RotationOrder, Skeleton};
 
 use crate::dice::Dice;
 
@@ -113,16 +113,6 @@ pub(super) fn motion(dice: &mut Dice, skeleton: &Skeleton, frames: usize) -> Mot
         (0..frames).flat_map(|frame| tracks.iter().map(move |(start, step)| start + step * frame as f32));
     Motion::new(skeleton.clone(), frames, 1.0 / 30.0, values.collect())
         .expect("one value per channel and frame")
-}
-
-/// The frames of a motion, sorted for the traversal.
-pub(super) fn frames(motion: &Motion) -> Vec<Frame> {
-    let read = |index| {
-        let mut frame = Frame::default();
-        motion.read_frame(index, PositionChannels::Replace, &mut frame);
-        frame
-    };
-    (0..motion.frame_count()).map(read).collect()
 }
 
 /// A position that is not the joint's offset.

@@ -196,9 +196,9 @@ impl Writer<'_> {
     fn whole_motion(&self) -> WholeMotion {
         let dice = &mut Dice::new(self.seed, "fk whole motion");
         let motion = figure::motion(dice, self.skeleton, WHOLE_MOTION_FRAMES);
+        let frames = (0..motion.frame_count()).map(|index| motion.frame(index)).collect();
         let skeleton = self.skeleton.clone();
-        let question =
-            Question::Fk(FkQuestion::Poses { skeleton: skeleton.clone(), frames: figure::frames(&motion) });
+        let question = Question::Fk(FkQuestion::Poses { skeleton: skeleton.clone(), frames });
         let expected = self.reference.answer(&question);
         WholeMotion { skeleton, question, expected }
     }
