@@ -12,7 +12,7 @@ use crate::wire::{self, Reply};
 use crate::{Answer, Failure, Question, Subject};
 
 /// A process that answers by [`worker::serve`](crate::worker::serve). What it prints goes on to this process's
-/// standard output, up to a limit; its errors go straight to the terminal.
+/// standard output, up to a limit; its errors go straight to the terminal, or where the command sends them.
 ///
 /// When it crashes or takes too long it is ended, and the next question starts a new one.
 pub struct WorkerProcess {
@@ -104,7 +104,7 @@ impl Running {
         match self.replies.recv_timeout(limit) {
             Ok(Ok(Some(reply))) => reply.into(),
             Ok(Ok(None)) | Err(RecvTimeoutError::Disconnected) => Err(self.how_it_ended()),
-            Ok(Err(error)) => Err(no_answer(error)),
+            Ok(Err(error)) => Err(Failure::Unreadable { why: error.to_string() }),
             Err(RecvTimeoutError::Timeout) => Err(Failure::TimedOut { limit }),
         }
     }

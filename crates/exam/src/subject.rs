@@ -74,7 +74,12 @@ pub enum Failure {
         /// How it ended, in the system's words.
         how: String,
     },
-    /// The answer could not be read, or the question could not be put. Not the fault of the functions, as a rule.
+    /// What came back is no answer: something else was written among the replies.
+    Unreadable {
+        /// What is wrong with it.
+        why: String,
+    },
+    /// The question could not be put. Not the fault of the functions.
     NoAnswer {
         /// What went wrong.
         why: String,
@@ -98,6 +103,9 @@ impl fmt::Display for Failure {
                 "your code ended the program ({how}): look for a function that calls itself without end, or \
                  for `std::process::exit`"
             ),
+            Failure::Unreadable { why } => {
+                write!(f, "the answer of your code could not be read: {why}")
+            }
             Failure::NoAnswer { why } => write!(f, "no answer came back: {why}"),
         }
     }

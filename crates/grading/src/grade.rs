@@ -11,14 +11,15 @@ use crate::{
 
 /// Asks `subject` everything about one part. Each check has `limit` for all its cases together; when a case fails or
 /// the time is over, the check is lost and the next one is asked. Once the time was over, the checks that follow have
-/// at most a second: what loops once mostly loops again.
+/// a tenth of it: what loops once mostly loops again.
 pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) -> PartReport {
+    let full_limit = limit;
     let mut limit = limit;
     let mut answers: Vec<CheckAnswers> = Vec::new();
     for check in &part.checks {
         let given = ask(subject, check, limit);
         if matches!(given.failure, Some(Failure::TimedOut { .. })) {
-            limit = limit.min(Duration::from_secs(1));
+            limit = after_time_out(full_limit);
         }
         answers.push(given);
     }
@@ -31,6 +32,11 @@ pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) 
         checks,
         remark,
     }
+}
+
+/// How long a check may take when another one had `limit` and was not ready.
+pub fn after_time_out(limit: Duration) -> Duration {
+    limit / 10
 }
 
 /// The answers to a check's cases, up to the first that failed.
@@ -143,7 +149,7 @@ fn state(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport]) -> 
         None => PartState::Wrong,
         Some(Failure::Panicked { .. }) => PartState::Panicked,
         Some(Failure::TimedOut { .. }) => PartState::TimedOut,
-        Some(Failure::Crashed { .. }) => PartState::Crashed,
+        Some(Failure::Crashed { .. } | Failure::Unreadable { .. }) => PartState::Crashed,
         Some(Failure::NoAnswer { .. }) => PartState::NotAsked,
     }
 }

@@ -20,7 +20,7 @@ mod self_grading;
 mod tables;
 
 pub use exam_paper::{Case, CheckPaper, Difference, Exam, PartPaper, WholeMotion};
-pub use grade::grade_part;
+pub use grade::{after_time_out, grade_part};
 pub use misconception::{Accepted, Misconception};
 pub use reference::{Reference, Solutions};
 pub use report::{

@@ -180,7 +180,7 @@ pub fn ask(
         {
             Ok(poses)
         }
-        _ => Err(Failure::NoAnswer { why: "the answer does not fit the question".into() }),
+        _ => Err(Failure::Unreadable { why: "the answer does not fit the question".into() }),
     }
 }
 
@@ -273,6 +273,6 @@ mod tests {
                 Ok(Answer::Fk(exam::fk::Answer::Poses(vec![posed])))
             }
         }
-        assert!(matches!(ask(&mut Short, &stage(1), 0..1), Err(Failure::NoAnswer { .. })));
+        assert!(matches!(ask(&mut Short, &stage(1), 0..1), Err(Failure::Unreadable { .. })));
     }
 }

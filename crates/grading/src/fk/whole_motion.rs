@@ -19,7 +19,7 @@ pub fn grade_whole_motion(subject: &mut dyn Subject, whole: &WholeMotion, limit:
     let expected = poses(&whole.expected);
     let Some(got) = poses_of(&got, expected) else {
         let why = "the poses do not fit the skeleton".to_owned();
-        return WholeReport { frames: 0, trouble: Some(Trouble::Failed(Failure::NoAnswer { why })) };
+        return WholeReport { frames: 0, trouble: Some(Trouble::Failed(Failure::Unreadable { why })) };
     };
     let exact = Comparison { skeleton: &whole.skeleton, size: whole.skeleton.extent(), expected, got };
     if exact.first_wrong().is_none() {
