@@ -9,7 +9,7 @@ use std::{env, fs};
 const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Which of our own crates each may use, directly or not.
-const ARROWS: [(&str, &[&str]); 8] = [
+const ARROWS: [(&str, &[&str]); 9] = [
     ("skeleton", &[]),
     ("parser", &["skeleton"]),
     ("exam", &["skeleton"]),
@@ -17,6 +17,7 @@ const ARROWS: [(&str, &[&str]); 8] = [
     ("fk", &["exam", "skeleton"]),
     ("grading", &["exam", "skeleton", "solutions"]),
     ("generator", &["parser", "skeleton"]),
+    ("results", &[]),
     ("viewer", &["exam", "parser", "skeleton", "solutions"]),
 ];
 
