@@ -9,7 +9,7 @@ use std::{env, fs};
 const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Which of our own crates each may use, directly or not.
-const ARROWS: [(&str, &[&str]); 9] = [
+const ARROWS: [(&str, &[&str]); 11] = [
     ("skeleton", &[]),
     ("parser", &["skeleton"]),
     ("exam", &["skeleton"]),
@@ -18,6 +18,8 @@ const ARROWS: [(&str, &[&str]); 9] = [
     ("grading", &["exam", "skeleton", "solutions"]),
     ("generator", &["parser", "skeleton"]),
     ("results", &[]),
+    ("sandbox", &[]),
+    ("submissions", &[]),
     ("viewer", &["exam", "parser", "skeleton", "solutions"]),
 ];
 
