@@ -1,0 +1,9 @@
+//! A file as a version control system left it.
+//!
+//! expect: does-not-compile "conflict marker"
+
+<<<<<<< HEAD
+pub fn mine() {}
+=======
+pub fn theirs() {}
+>>>>>>> main

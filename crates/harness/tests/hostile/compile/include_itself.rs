@@ -1,0 +1,7 @@
+//! Includes its own file again and again.
+//!
+//! expect: does-not-compile "recursion limit"
+
+mod again {
+    include!("fk.rs");
+}

@@ -1,0 +1,6 @@
+//! Is its own module.
+//!
+//! expect: does-not-compile "circular modules"
+
+#[path = "fk.rs"]
+mod again;

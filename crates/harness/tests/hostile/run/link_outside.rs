@@ -1,0 +1,13 @@
+//! Makes links to a file that it may not read, from a folder in which everybody may.
+//!
+//! expect: graded 15
+//! unprotected: graded 10; part1 panicked
+
+fn attack() {
+    if std::os::unix::fs::symlink("@SECRET@", "@OUTSIDE@/@MARK@-symbolic").is_ok() {
+        panic!("symbolic");
+    }
+    if std::fs::hard_link("@SECRET@", "@OUTSIDE@/@MARK@-hard").is_ok() {
+        panic!("hard");
+    }
+}

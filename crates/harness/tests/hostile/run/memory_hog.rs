@@ -1,0 +1,11 @@
+//! Fills the memory until there is none.
+//!
+//! expect: graded 10; part1 crashed
+//! quick: yes
+
+fn attack() {
+    let mut held = Vec::new();
+    loop {
+        held.push(std::hint::black_box(vec![1_u8; 1 << 24]));
+    }
+}
