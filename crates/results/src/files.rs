@@ -1,0 +1,59 @@
+//! Files that are there whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use tempfile::{Builder, NamedTempFile};
+
+use crate::error::{Error, Filled};
+
+/// Who may read a file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Readers {
+    /// Whoever the system lets by default.
+    Usual,
+    /// Only the owner, where the system knows owners.
+    Owner,
+}
+
+/// Writes a file under another name in the same folder, then gives it its own. When anything fails, the file that was there
+/// before stays.
+pub(crate) fn write_whole(
+    path: &Path,
+    readers: Readers,
+    fill: impl FnOnce(&mut dyn Write) -> Filled,
+) -> Result<(), Error> {
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let file = new_file(folder, readers).map_err(Error::write(path))?;
+    let mut writer = BufWriter::with_capacity(1 << 16, file);
+    fill(&mut writer).map_err(|trouble| trouble.at(path))?;
+    let file = writer.into_inner().map_err(|trouble| Error::write(path)(trouble.into_error()))?;
+    file.persist(path).map_err(|trouble| Error::write(path)(trouble.error))?;
+    Ok(())
+}
+
+fn new_file(folder: &Path, readers: Readers) -> io::Result<NamedTempFile> {
+    let mut builder = Builder::new();
+    builder.prefix(".fk-lab-").suffix(".part");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // What others may not do is the business of the umask.
+        let mode = if readers == Readers::Owner { 0o600 } else { 0o666 };
+        builder.permissions(fs::Permissions::from_mode(mode));
+    }
+    #[cfg(not(unix))]
+    let _ = readers;
+    builder.tempfile_in(folder)
+}
+
+/// Makes a folder and those above it.
+pub(crate) fn make_folder(path: &Path) -> Result<(), Error> {
+    fs::create_dir_all(path).map_err(Error::write(path))
+}
+
+/// A file without a name that is gone when it is closed.
+pub(crate) fn scratch(folder: &Path) -> Result<File, Error> {
+    tempfile::tempfile_in(folder).map_err(Error::write(folder))
+}
