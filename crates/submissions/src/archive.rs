@@ -232,20 +232,23 @@ fn decode(name: &[u8]) -> String {
     }
 }
 
+/// Reads one byte more than the archive says that there are, which is enough to know whether it lies.
 fn read_up_to(reader: impl Read, member: &Member, max: u64) -> Result<Vec<u8>, Trouble> {
-    let expected = member.way.uncompressed_size_hint().min(max);
-    // A claim: it sets the first allocation, which is within the limit, and nothing else.
-    let mut bytes = Vec::with_capacity(usize::try_from(expected).unwrap_or(0) + 1);
-    reader.take(max + 1).read_to_end(&mut bytes).map_err(Trouble::from_reading)?;
-    if bytes.len() as u64 > max { Err(Trouble::TooLarge) } else { Ok(bytes) }
+    let declared = member.way.uncompressed_size_hint();
+    if declared > max {
+        return Err(Trouble::TooLarge);
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(declared).map_err(|_| Trouble::TooLarge)? + 1);
+    reader.take(declared + 1).read_to_end(&mut bytes).map_err(Trouble::from_reading)?;
+    Ok(bytes)
 }
 
 fn check_claims(member: &Member, bytes: &[u8]) -> Result<(), Trouble> {
     let declared = member.way.uncompressed_size_hint();
     if declared != bytes.len() as u64 {
-        let found = bytes.len();
+        let than = if declared < bytes.len() as u64 { "more" } else { "less" };
         return Err(Trouble::Damaged(format!(
-            "It says that the file has {declared} bytes, but it has {found}."
+            "It says that the file has {declared} bytes, but it has {than}."
         )));
     }
     if member.crc32 != rawzip::crc32(bytes) {

@@ -110,7 +110,7 @@ impl Batch {
 
     /// Reads one of the submissions. Several threads may do so at the same time.
     ///
-    /// It takes about twice [`crate::MAX_ARCHIVE`] of memory for an archive within an archive, else little.
+    /// An archive within an archive is held in memory, at most [`crate::MAX_ARCHIVE`]; else it takes less than 2 MiB.
     pub fn load(&self, entry: &Entry) -> Loaded {
         loaded(&entry.place, self.archive.as_ref(), &self.wanted)
     }

@@ -21,6 +21,7 @@ mod name;
 mod pack;
 mod printable;
 mod rejection;
+pub mod similar;
 mod source;
 
 pub use batch::{Batch, Error, SameStudent, by_student, read_one};
