@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
-use submissions::similar::{Fingerprint, Group, Likeness, THRESHOLD, fingerprint, similar};
+use submissions::similar::{CROWD, Fingerprint, Group, Likeness, THRESHOLD, fingerprint, similar};
 
 const HEAD: &str = "//! The only file that you edit.\nuse glam::{Quat, Vec3};\nuse skeleton::{Axis, FrameCursor, Joint, Pose, RotationOrder};\n";
 
@@ -207,18 +207,21 @@ fn copies_are_found_in_a_class_of_any_size() {
             ids(size, size + 3),
             "{size}"
         );
-        let partly = group_with(&groups, Likeness::Partly, size).unwrap();
-        assert_eq!(partly.ids, ids(size, size + 4), "{size}");
-        assert!((THRESHOLD..100).contains(&partly.percent), "{partly:?}");
+        let partly = group_with(&groups, Likeness::Partly, size);
+        assert_eq!(partly.is_some(), size >= CROWD);
+        if let Some(partly) = partly {
+            assert_eq!(partly.ids, ids(size, size + 4), "{size}");
+            assert!((THRESHOLD..100).contains(&partly.percent), "{partly:?}");
+        }
     }
 }
 
 #[test]
 fn those_who_work_alone_are_left_in_peace() {
-    for (size, seed) in [(10, 1), (30, 2), (100, 3), (300, 4), (1000, 5)] {
+    for (size, seed) in [(10, 1), (30, 2), (60, 3), (100, 4), (300, 5), (1000, 6)] {
         let groups = groups(&class(size, seed));
         let named: BTreeSet<&String> = groups.iter().flat_map(|group| &group.ids).collect();
-        assert!(named.len() * 50 <= size, "{} of {size} are called alike: {groups:#?}", named.len());
+        assert!(named.len() * 20 <= size, "{} of {size} are called alike: {groups:#?}", named.len());
     }
 }
 
@@ -251,6 +254,8 @@ fn ten_thousand_are_compared() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn any_text_has_a_fingerprint_and_spaces_do_not_matter(text in "(\\PC|[ \n\"'/*#rb]){0,80}") {
         let print = fingerprint(&text);
@@ -261,7 +266,7 @@ proptest! {
 
     #[test]
     fn the_order_of_submissions_does_not_matter(seed in any::<u64>()) {
-        let mut texts = class(12, seed);
+        let mut texts = class(CROWD, seed);
         texts.extend([unusual(), disguised(&unusual())]);
         let prints: Vec<(String, Fingerprint)> = texts.iter().enumerate().map(|(i, text)| (format!("{i:02}"), fingerprint(text))).collect();
         let mut list: Vec<(&str, &Fingerprint)> = prints.iter().map(|(id, print)| (id.as_str(), print)).collect();

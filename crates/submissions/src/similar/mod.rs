@@ -19,7 +19,8 @@
 //!
 //! A passage is telling if few submissions have it: at most one in twenty, but three may always, and more than thirty never. What many
 //! write is how one writes it. Submissions that are the same but for names count as one here, so that a copy makes nothing
-//! common. With fewer than [`FEWEST`] telling passages in common, two submissions are not called alike, unless they are the same text.
+//! common. With fewer than [`FEWEST`] telling passages in common, two submissions are not called alike, unless they are the same text. Among fewer than [`CROWD`]
+//! submissions nobody can say what is usual: only whole texts are compared.
 
 mod index;
 mod tokens;
@@ -36,7 +37,10 @@ pub const PASSAGE: usize = 12;
 pub const WINDOW: usize = 4;
 
 /// Fewer passages than these tell nothing.
-pub const FEWEST: usize = 10;
+pub const FEWEST: usize = 24;
+
+/// Among fewer submissions than these nobody can say what is usual, and [`Likeness::Partly`] is not looked for.
+pub const CROWD: usize = 40;
 
 /// A share of telling passages in common from which on it is worth comparing two submissions, in percent.
 pub const THRESHOLD: u8 = 60;
@@ -116,7 +120,9 @@ pub fn similar(submissions: &[(&str, &Fingerprint)], template: &Fingerprint, thr
             groups.push(Group { likeness: Likeness::SameButNames, ids, percent: 100, telling: *telling });
         }
     }
-    groups.extend(index.partly(&classes, threshold));
+    if classes.len() >= CROWD {
+        groups.extend(index.partly(&classes, threshold));
+    }
     for group in &mut groups {
         group.ids.sort();
     }
@@ -165,18 +171,17 @@ fn winnow(tokens: &[u64]) -> Vec<u64> {
     kept
 }
 
-/// FNV-1a, with the bits mixed (as in SplitMix64) so that the smallest of several hashes is any of them. It stays the same for
-/// ever, and nothing depends on that nobody finds two texts of one hash.
+/// FNV-1a. It stays the same for ever, and nothing depends on that nobody finds two texts of one hash.
 fn hash(bytes: impl Iterator<Item = u8>) -> u64 {
-    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-    for byte in bytes {
-        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    }
-    hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    hash ^ (hash >> 31)
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
+/// Mixes the bits after each step (as SplitMix64 does), so that the smallest of several hashes is any of them.
 fn hash_all(hashes: &[u64]) -> u64 {
-    hash(hashes.iter().flat_map(|one| one.to_le_bytes()))
+    hashes.iter().fold(0, |all, one| {
+        let mixed = (all ^ one).wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ (mixed >> 31)
+    })
 }

@@ -159,8 +159,14 @@ fn number(text: &str) -> usize {
 
 /// The keywords of Rust (The Rust Reference, "Keywords"), and the names of its simple types: nobody chooses these.
 fn is_keyword(word: &str) -> bool {
-    const KEYWORDS: &str = " as async await break const continue crate dyn else enum extern false fn for if impl in let \
-        loop match mod move mut pub ref return self Self static struct super trait true type unsafe use where while \
-        bool char f32 f64 i8 i16 i32 i64 i128 isize str u8 u16 u32 u64 u128 usize Some None Ok Err ";
-    KEYWORDS.split_ascii_whitespace().any(|keyword| keyword == word)
+    #[rustfmt::skip]
+    let is_keyword = matches!(word,
+        "as" | "async" | "await" | "break" | "const" | "continue" | "crate" | "dyn" | "else" | "enum"
+        | "extern" | "false" | "fn" | "for" | "if" | "impl" | "in" | "let" | "loop" | "match" | "mod"
+        | "move" | "mut" | "pub" | "ref" | "return" | "self" | "Self" | "static" | "struct" | "super"
+        | "trait" | "true" | "type" | "unsafe" | "use" | "where" | "while" | "bool" | "char" | "f32"
+        | "f64" | "i8" | "i16" | "i32" | "i64" | "i128" | "isize" | "str" | "u8" | "u16" | "u32" | "u64"
+        | "u128" | "usize" | "Some" | "None" | "Ok" | "Err"
+    );
+    is_keyword
 }
