@@ -9,7 +9,7 @@ use std::{env, fs};
 const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Which of our own crates each may use, directly or not.
-const ARROWS: [(&str, &[&str]); 11] = [
+const ARROWS: [(&str, &[&str]); 12] = [
     ("skeleton", &[]),
     ("parser", &["skeleton"]),
     ("exam", &["skeleton"]),
@@ -17,6 +17,10 @@ const ARROWS: [(&str, &[&str]); 11] = [
     ("fk", &["exam", "skeleton"]),
     ("grading", &["exam", "skeleton", "solutions"]),
     ("generator", &["parser", "skeleton"]),
+    (
+        "harness",
+        &["exam", "grading", "parser", "results", "sandbox", "skeleton", "solutions", "submissions"],
+    ),
     ("results", &[]),
     ("sandbox", &[]),
     ("submissions", &[]),

@@ -1,0 +1,236 @@
+//! From a student's source to a program that can be asked.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use std::{fs, io};
+
+use results::{CompileError, Verdict};
+use sandbox::{Confinement, Finished, Limit, Limits, Sandbox};
+
+use crate::diagnostics;
+use crate::exercise::Exercise;
+use crate::kit::Kit;
+use crate::toolchain::{Linker, Toolchain};
+
+/// Compiles submissions, each in a folder of its own.
+#[derive(Debug)]
+pub struct Compiler<'a> {
+    /// The exercise.
+    pub exercise: &'a Exercise,
+    /// The compiler.
+    pub toolchain: &'a Toolchain,
+    /// The libraries.
+    pub kit: &'a Kit,
+    /// Where it runs.
+    pub sandbox: &'a Sandbox,
+    /// What a compiler may use.
+    pub limits: Limits,
+}
+
+/// A program that answers by a student's functions.
+#[derive(Clone, Debug)]
+pub struct Worker {
+    /// The program.
+    pub program: PathBuf,
+    /// What it must be able to read, itself included.
+    pub reads: Vec<PathBuf>,
+}
+
+/// What came of compiling.
+#[derive(Debug)]
+pub enum Compiled {
+    /// A program.
+    Worker(Worker),
+    /// No program. Whose fault it is, is in the verdict.
+    Not(Verdict),
+}
+
+impl Compiler<'_> {
+    /// Compiles `source` in `folder`, which is made anew, with the compiler confined to it. `slot` is the number of the
+    /// job that does so.
+    ///
+    /// # Errors
+    ///
+    /// When this machine fails, not the source.
+    pub fn compile(&self, slot: u32, folder: &Path, source: &str) -> io::Result<(Compiled, Duration)> {
+        match fs::remove_dir_all(folder) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => {}
+        }
+        let library = folder.join(self.exercise.library_path());
+        if let Some(parent) = library.parent() {
+            fs::create_dir_all(parent)?;
+        }
+        fs::write(&library, self.exercise.worker())?;
+        fs::write(folder.join(self.exercise.path()), source)?;
+
+        let rustc = self.run(slot, folder, &self.toolchain.rustc, &self.rustc_arguments())?;
+        let mut time = rustc.cpu;
+        if !is_success(&rustc) {
+            return Ok((Compiled::Not(self.verdict(&rustc, folder)), time));
+        }
+        if let Linker::Direct { program, .. } = &self.toolchain.linker {
+            let linker = self.run(slot, folder, program, &self.linker_arguments())?;
+            time += linker.cpu;
+            if !is_success(&linker) {
+                return Ok((Compiled::Not(link_verdict(&linker)), time));
+            }
+        }
+        let program = folder.join(program_name());
+        let mut reads = vec![program.clone()];
+        if let (Linker::Direct { system, .. }, Some(shared)) = (&self.toolchain.linker, &self.kit.shared) {
+            reads.extend(system.iter().cloned());
+            reads.extend([shared.clone(), self.toolchain.libraries.clone()]);
+        }
+        Ok((Compiled::Worker(Worker { program, reads }), time))
+    }
+
+    fn run(&self, slot: u32, folder: &Path, program: &Path, arguments: &[OsString]) -> io::Result<Finished> {
+        self.sandbox.run(slot, &self.confinement(folder), program, arguments)
+    }
+
+    /// What the compiler and the linker may read: the toolchain, our libraries, the system's libraries.
+    fn confinement(&self, folder: &Path) -> Confinement {
+        let mut read = vec![self.toolchain.sysroot.clone(), self.kit.dependencies.clone()];
+        read.extend(self.kit.shared.clone());
+        if let Linker::Direct { program, system, .. } = &self.toolchain.linker {
+            read.push(program.clone());
+            read.extend(system.iter().cloned());
+        }
+        // `env!` gives what it gives under cargo, as far as that says nothing about this machine.
+        let mut environment: Vec<(OsString, OsString)> = vec![
+            ("TMPDIR".into(), folder.into()),
+            ("CARGO_PKG_NAME".into(), self.exercise.name.into()),
+            ("CARGO_CRATE_NAME".into(), self.exercise.name.into()),
+            ("CARGO_PKG_VERSION".into(), env!("CARGO_PKG_VERSION").into()),
+            ("CARGO_MANIFEST_DIR".into(), ".".into()),
+        ];
+        if matches!(self.toolchain.linker, Linker::ByRustc) {
+            // The compiler looks for the C compiler's linker, and on Windows for much more.
+            environment.extend(std::env::vars_os());
+        }
+        Confinement { read, folder: Some(folder.to_path_buf()), environment, limits: self.limits }
+    }
+
+    /// As cargo would call it for `cargo test -p fk`, but for what only debuggers need.
+    fn rustc_arguments(&self) -> Vec<OsString> {
+        let is_direct = matches!(self.toolchain.linker, Linker::Direct { .. });
+        let fixed = ["--edition", "2024", "--crate-name", self.exercise.name, "--crate-type", "bin"];
+        let codegen = ["-Copt-level=0", "-Cdebuginfo=0", "-Ccodegen-units=1", "-Cembed-bitcode=no"];
+        // Warnings cost time and give no points. `--cap-lints` would do more than that: it lifts the ban of unsafe
+        // code and the end of endless constants.
+        let lints = ["-Wunused_qualifications", "-Awarnings", "-Funsafe_code", "--error-format=json"];
+        let conditions = ["--check-cfg", "cfg(docsrs,test)", "--check-cfg", "cfg(feature, values())"];
+        let fixed = fixed.into_iter().chain(codegen).chain(lints).chain(conditions);
+        let mut arguments: Vec<OsString> = fixed.map(OsString::from).collect();
+        for (name, file) in &self.kit.externs {
+            let mut value = OsString::from(format!("{name}="));
+            value.push(file);
+            arguments.extend(["--extern".into(), value]);
+        }
+        let mut dependencies = OsString::from("dependency=");
+        dependencies.push(&self.kit.dependencies);
+        let (emit, output) = if is_direct { ("obj", "worker.o".into()) } else { ("link", program_name()) };
+        arguments.extend(["-L".into(), dependencies, "--emit".into(), emit.into()]);
+        arguments.extend(["-o".into(), output.into(), self.exercise.library_path().into()]);
+        arguments
+    }
+
+    fn linker_arguments(&self) -> Vec<OsString> {
+        let (Linker::Direct { before, after, .. }, Some(shared)) = (&self.toolchain.linker, &self.kit.shared)
+        else {
+            return Vec::new();
+        };
+        let mut arguments = before.clone();
+        arguments.extend(["-o".into(), program_name().into(), "worker.o".into(), shared.into()]);
+        arguments.extend(standard_library(&self.toolchain.libraries).map(OsString::from));
+        for folder in [shared.parent(), Some(self.toolchain.libraries.as_path())].into_iter().flatten() {
+            arguments.extend(["-rpath".into(), folder.into()]);
+        }
+        arguments.extend(after.iter().cloned());
+        arguments
+    }
+
+    fn verdict(&self, rustc: &Finished, folder: &Path) -> Verdict {
+        let hide = [
+            (folder, "."),
+            (self.toolchain.sysroot.as_path(), "rust"),
+            (self.kit.dependencies.as_path(), "libraries"),
+        ];
+        let found = diagnostics::read(&rustc.stderr, &self.exercise.path(), &hide);
+        match &rustc.limit {
+            // Errors without end are errors all the same.
+            Some(Limit::Output) if !found.errors.is_empty() => {}
+            Some(limit) => return too_expensive(limit),
+            None if found.errors.is_empty() => {
+                let how = rustc.status.map_or_else(|| "unknown".to_owned(), |status| status.to_string());
+                return Verdict::DoesNotCompile { errors: vec![crashed(&how)], left_out: 0 };
+            }
+            None => {}
+        }
+        Verdict::DoesNotCompile { errors: found.errors, left_out: found.left_out }
+    }
+}
+
+fn is_success(finished: &Finished) -> bool {
+    finished.limit.is_none() && finished.status.is_some_and(|status| status.success())
+}
+
+fn program_name() -> String {
+    format!("worker{}", std::env::consts::EXE_SUFFIX)
+}
+
+/// The shared standard library: the toolchain holds exactly one.
+fn standard_library(folder: &Path) -> Option<PathBuf> {
+    let files = fs::read_dir(folder).ok()?.filter_map(|entry| Some(entry.ok()?.path()));
+    let mut found: Vec<PathBuf> = files
+        .filter(|path| {
+            let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            name.starts_with("libstd-") && name.ends_with(std::env::consts::DLL_SUFFIX)
+        })
+        .collect();
+    found.sort();
+    found.into_iter().next()
+}
+
+fn too_expensive(limit: &Limit) -> Verdict {
+    let (limit, text) = match limit {
+        Limit::Cpu | Limit::Wall => {
+            ("time", "Compiling it takes too long. Look for macros or constants that grow without end.")
+        }
+        Limit::Memory => {
+            ("memory", "Compiling it takes too much memory. Look for macros, types or statics that are huge.")
+        }
+        Limit::Output => ("output", "The compiler's messages have no end."),
+    };
+    Verdict::TooExpensiveToCompile { limit: limit.to_owned(), text: text.to_owned() }
+}
+
+/// What a student reads when the compiler ends without a word.
+fn crashed(how: &str) -> CompileError {
+    CompileError {
+        message: "the compiler itself broke down on this file".to_owned(),
+        line: None,
+        column: None,
+        text: format!(
+            "The compiler itself broke down on this file ({how}). Code that is nested very deeply does that."
+        ),
+    }
+}
+
+/// What compiles also links, unless the code asks the linker for something.
+fn link_verdict(linker: &Finished) -> Verdict {
+    match &linker.limit {
+        Some(limit) => too_expensive(limit),
+        None => Verdict::DoesNotCompile {
+            errors: vec![CompileError {
+                message: "the file compiles, but cannot be linked".to_owned(),
+                line: None,
+                column: None,
+                text: diagnostics::clean(&String::from_utf8_lossy(&linker.stderr), 2000),
+            }],
+            left_out: 0,
+        },
+    }
+}

@@ -1,0 +1,53 @@
+//! The exercises that can be marked.
+
+use grading::{Exam, Rubric, Solutions};
+
+/// What the harness knows of an exercise.
+#[derive(Debug)]
+pub struct Exercise {
+    /// The package's name, for example `fk`.
+    pub name: &'static str,
+    /// The file that students hand in.
+    pub file: &'static str,
+    /// The fixed part of the package that the file is a module of.
+    pub library: &'static str,
+    /// The file as it was handed out.
+    pub template: &'static str,
+    /// What its parts are worth.
+    pub rubric: &'static Rubric,
+    /// The questions of a seed, with the right answers.
+    pub exam: fn(u64) -> Exam,
+}
+
+/// All exercises.
+pub static EXERCISES: [Exercise; 1] = [Exercise {
+    name: "fk",
+    file: "fk.rs",
+    library: include_str!("../../../exercises/fk/src/lib.rs"),
+    template: include_str!("../../../solutions/templates/fk.rs"),
+    rubric: &grading::fk::RUBRIC,
+    exam: |seed| grading::fk::exam(seed, &Solutions),
+}];
+
+impl Exercise {
+    /// The exercise of this name.
+    pub fn named(name: &str) -> Option<&'static Exercise> {
+        EXERCISES.iter().find(|exercise| exercise.name == name)
+    }
+
+    /// Where the student's file lies, from the workspace's folder on. The compiler's messages name it so.
+    pub fn path(&self) -> String {
+        format!("exercises/{}/src/{}", self.name, self.file)
+    }
+
+    /// Where the fixed part lies.
+    pub fn library_path(&self) -> String {
+        format!("exercises/{}/src/lib.rs", self.name)
+    }
+
+    /// The worker's program: the exercise's library as students have it, and a main function. The student's file stays
+    /// the same module of the same crate, so that what compiles in self-grading does so here.
+    pub fn worker(&self) -> String {
+        format!("{}\nfn main() {{ exam::worker::serve(FUNCTIONS) }}\n", self.library)
+    }
+}
