@@ -99,6 +99,9 @@ impl Archive {
 
     /// Calls `visit` with everything in the list, in its order, the same name as often as it stands there.
     pub(crate) fn for_each(&self, max: usize, mut visit: impl FnMut(Member)) -> Result<(), Trouble> {
+        if self.zip.entries_hint() > max as u64 {
+            return Err(Trouble::TooManyFiles);
+        }
         let mut seen: u64 = 0;
         self.for_each_record(|record| {
             seen += 1;

@@ -70,9 +70,11 @@ impl Batch {
     /// When `path` cannot be read, or is no folder, zip archive or Rust file.
     pub fn open(path: &Path, wanted: &Wanted) -> Result<Self, Error> {
         let io_error = |error| Error::Io { path: path.to_owned(), error };
-        let metadata = fs::metadata(path).map_err(io_error)?;
+        // Where the path itself is a link, whoever gave it means what the link points to.
+        let real = fs::canonicalize(path).map_err(io_error)?;
+        let metadata = fs::metadata(&real).map_err(io_error)?;
         if metadata.is_dir() {
-            let items = items_of_folder(path).map_err(|error| match error.kind() {
+            let items = items_of_folder(&real).map_err(|error| match error.kind() {
                 io::ErrorKind::FileTooLarge => Error::TooMany { path: path.to_owned() },
                 _ => io_error(error),
             })?;
@@ -81,8 +83,8 @@ impl Batch {
         if !metadata.is_file() {
             return Err(Error::NotABatch { path: path.to_owned(), why: "it is not a regular file".into() });
         }
-        let file_name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let one = || Self { archive: None, entries: vec![single(path, &file_name)], wanted: wanted.clone() };
+        let file_name = file_name(path, &real);
+        let one = || Self { archive: None, entries: vec![single(&real, &file_name)], wanted: wanted.clone() };
         if has_extension(&file_name, &["rs"]) || is_recognised(name::stem(&file_name)) {
             return Ok(one());
         }
@@ -94,7 +96,7 @@ impl Batch {
                 Error::NotABatch { path: path.to_owned(), why: "the end of a zip archive is missing".into() }
             }
         };
-        let file = fs::File::open(path).map_err(io_error)?;
+        let file = fs::File::open(&real).map_err(io_error)?;
         let archive = Archive::open(Bytes::File(file)).map_err(archive_error)?;
         let items = items_of_archive(&archive, wanted).map_err(archive_error)?;
         if items.iter().any(|item| item.name == wanted.file_name) {
@@ -120,17 +122,15 @@ impl Batch {
 ///
 /// Who handed it in is taken from its name, or else from that of the file in it.
 pub fn read_one(path: &Path, wanted: &Wanted) -> (Entry, Loaded) {
-    let file_name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    // Where the path itself is a link, whoever gave it means what the link points to.
     match fs::canonicalize(path) {
-        Ok(path) => {
-            let entry = single(&path, &file_name);
+        Ok(real) => {
+            let entry = single(&real, &file_name(path, &real));
             let loaded = loaded(&entry.place, None, wanted);
             (entry, loaded)
         }
         Err(error) => {
             let rejection = Rejection::new("unreadable", format!("It cannot be read ({error})."), wanted);
-            (single(path, &file_name), Loaded::Rejected(rejection))
+            (single(path, &file_name(path, path)), Loaded::Rejected(rejection))
         }
     }
 }
@@ -255,6 +255,11 @@ fn is_wrapper(name: &str, inside: &[Item]) -> bool {
 fn is_recognised(stem: &str) -> bool {
     let told = name::tell(stem);
     told.student.number.is_some() || told.lms != Lms::None
+}
+
+/// The name that was given, or, for a path like `.`, that of what it stands for.
+fn file_name(given: &Path, real: &Path) -> String {
+    given.file_name().or(real.file_name()).unwrap_or_default().to_string_lossy().into_owned()
 }
 
 fn single(path: &Path, file_name: &str) -> Entry {

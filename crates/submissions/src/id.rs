@@ -64,7 +64,10 @@ fn make(stem: &str) -> Made {
 /// Windows knows devices by these names, with any extension.
 fn is_reserved(id: &str) -> bool {
     let name = id.split('.').next().unwrap_or_default().to_ascii_uppercase();
-    let numbered = |kind| name.strip_prefix(kind).is_some_and(|rest: &str| rest.len() == 1);
+    let numbered = |kind| {
+        name.strip_prefix(kind)
+            .is_some_and(|rest: &str| rest.len() == 1 && rest.bytes().all(|byte| byte.is_ascii_digit()))
+    };
     matches!(name.as_str(), "CON" | "PRN" | "AUX" | "NUL") || numbered("COM") || numbered("LPT")
 }
 

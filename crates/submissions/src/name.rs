@@ -38,7 +38,10 @@ pub(crate) fn own(stem: &str) -> Option<Student> {
     } else if let Some((number, name)) = stem.split_once(separators).filter(|(first, _)| digits(first)) {
         (number, name)
     } else {
-        let (name, number) = stem.rsplit_once(separators).filter(|(_, last)| digits(last))?;
+        // `submission_123456789` is how Gradescope counts.
+        let is_student =
+            |(name, last): &(&str, &str)| digits(last) && !name.eq_ignore_ascii_case("submission");
+        let (name, number) = stem.rsplit_once(separators).filter(is_student)?;
         (number, name)
     };
     Some(Student { number: Some(number.to_owned()), name: readable(name) })

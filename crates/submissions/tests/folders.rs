@@ -59,6 +59,10 @@ fn the_path_that_was_asked_for_may_be_a_link() {
     write(folder.path().join("real/fk.rs"), CODE);
     symlink(folder.path().join("real"), folder.path().join("link")).unwrap();
     assert_eq!(source(read(&folder.path().join("link"))).text, CODE);
+    write(folder.path().join("300000001_A.zip"), zip(&[Member::stored("fk.rs", CODE)]));
+    symlink("300000001_A.zip", folder.path().join("b.zip")).unwrap();
+    let batch = Batch::open(&folder.path().join("b.zip"), &wanted()).unwrap();
+    assert_eq!(source(batch.load(&batch.entries()[0])).text, CODE);
 }
 
 #[test]

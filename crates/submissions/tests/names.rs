@@ -51,9 +51,13 @@ fn the_own_scheme() {
 
 #[test]
 fn without_a_number_the_name_is_the_student() {
-    for (name, expected) in
-        [("TerryFox.zip", "TerryFox"), ("fk.rs", "fk"), ("2024_fk.rs", "2024 fk"), ("v1.2", "v1")]
-    {
+    for (name, expected) in [
+        ("TerryFox.zip", "TerryFox"),
+        ("fk.rs", "fk"),
+        ("2024_fk.rs", "2024 fk"),
+        ("v1.2", "v1"),
+        ("submission_123456789", "submission 123456789"),
+    ] {
         assert_eq!(student(name), (None, expected.to_owned()), "{name}");
     }
     assert_eq!(student("1234567890123_TooLong.zip").0, None);

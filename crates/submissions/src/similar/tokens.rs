@@ -170,3 +170,60 @@ fn is_keyword(word: &str) -> bool {
     );
     is_keyword
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::{Kind, tokens, without_names};
+
+    fn texts(text: &str) -> Vec<&str> {
+        tokens(text).into_iter().map(|token| token.text).collect()
+    }
+
+    #[test]
+    fn what_looks_like_something_else_inside_is_not_it() {
+        for literal in [
+            r#""a // b \" /* c""#,
+            r###"r#"a " // b"#"###,
+            r###"br##"a "# b"##"###,
+            "b\"x\"",
+            "'\"'",
+            "'\\''",
+            "b'/'",
+            "1.5e3",
+            "0xff_u8",
+        ] {
+            assert_eq!(texts(&format!("a {literal} b")), ["a", literal, "b"]);
+        }
+        for comment in ["/* a /* \" */ b */", "// it's\n", "/**/"] {
+            assert_eq!(texts(&format!("a {comment} b")), ["a", comment.trim_end(), "b"]);
+        }
+        assert_eq!(
+            texts("0..3 1.x &'a T 'b' r#fn"),
+            "0 . . 3 1 . x & 'a T 'b' r # fn".split(' ').collect::<Vec<_>>()
+        );
+    }
+
+    #[test]
+    fn names_of_the_students_choice_are_one() {
+        let given = "let _ = Quat::from_axis_angle(_.unit(), _[0] * 2.0); // x";
+        let text = "let turn = Quat::from_axis_angle(axis.unit(), angles[0] * 2.0); // y";
+        let shape = |text| without_names(&tokens(text)).collect::<Vec<_>>().join(" ");
+        assert_eq!(shape(text), shape(given));
+        assert_ne!(shape(text), shape(&text.replace("2.0", "3.0")));
+        assert_ne!(shape(text), shape(&text.replace("unit", "other")));
+    }
+
+    proptest! {
+        #[test]
+        fn nothing_is_lost_but_spaces(text in "(\\PC|[ \n\"'/*#rbc\\\\_0.]){0,60}") {
+            let tokens = tokens(&text);
+            let without_spaces = |text: &str| text.chars().filter(|c| !c.is_whitespace()).collect::<String>();
+            let joined: String = tokens.iter().map(|token| token.text).collect();
+            prop_assert_eq!(without_spaces(&joined), without_spaces(&text));
+            prop_assert!(tokens.iter().all(|token| !token.text.is_empty()));
+            prop_assert!(tokens.iter().all(|token| token.kind != Kind::Sign || token.text.chars().count() == 1));
+        }
+    }
+}
