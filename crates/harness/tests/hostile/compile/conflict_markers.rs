@@ -1,6 +1,6 @@
 //! A file as a version control system left it.
 //!
-//! expect: does-not-compile "conflict marker"
+//! expect: does-not-compile "diff marker"
 
 <<<<<<< HEAD
 pub fn mine() {}

@@ -3,7 +3,7 @@
 //! expect: does-not-compile "unsafe"
 
 macro_rules! block {
-    ($word:tt $body:block) => { $word $body };
+    ($word:tt $body:tt) => { $word $body };
 }
 pub fn poke() {
     block!(unsafe { *(8 as *mut u8) = 1 })
