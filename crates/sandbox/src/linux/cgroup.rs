@@ -18,6 +18,7 @@ const PREFIX: &str = "fk-lab-sandbox-";
 pub struct Cgroups {
     parents: Parents,
     number: u32,
+    others: u32,
     groups: Mutex<HashMap<Key, Group>>,
 }
 
@@ -32,7 +33,7 @@ enum Parents {
 struct Key {
     slot: u32,
     memory: u64,
-    threads: u32,
+    tasks: u32,
 }
 
 struct Group {
@@ -46,19 +47,21 @@ struct Group {
 
 impl Cgroups {
     /// Finds the place for groups. That one can be made there turns out with the first.
-    pub fn open() -> Result<Cgroups, String> {
+    ///
+    /// Besides the program's threads, `others` tasks are in each group.
+    pub fn open(others: u32) -> Result<Cgroups, String> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
         let own = fs::read_to_string("/proc/self/cgroup").context("read this process's control groups")?;
         let parents = Parents::find(&own).ok_or("neither a memory nor a tasks controller is mounted")?;
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let cgroups = Cgroups { parents, number, groups: Mutex::default() };
+        let cgroups = Cgroups { parents, number, others, groups: Mutex::default() };
         cgroups.remove_leftovers();
         Ok(cgroups)
     }
 
     /// The files into which a process of `slot` writes 0 to join its groups.
     pub fn files(&self, slot: u32, limits: &Limits) -> io::Result<Vec<PathBuf>> {
-        let key = Key::new(slot, limits);
+        let key = self.key(slot, limits);
         let mut groups = self.groups.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(group) = groups.get(&key) {
             return Ok(group.joins.clone());
@@ -73,10 +76,14 @@ impl Cgroups {
     /// Whether the system has ended a process of this group since the last call.
     pub fn killed(&self, slot: u32, limits: &Limits) -> bool {
         let mut groups = self.groups.lock().unwrap_or_else(PoisonError::into_inner);
-        let Some(group) = groups.get_mut(&Key::new(slot, limits)) else { return false };
+        let Some(group) = groups.get_mut(&self.key(slot, limits)) else { return false };
         let before = group.killed;
         group.killed = group.count();
         group.killed > before
+    }
+
+    fn key(&self, slot: u32, limits: &Limits) -> Key {
+        Key { slot, memory: limits.memory, tasks: limits.threads.saturating_add(self.others) }
     }
 
     /// Removes groups of processes that were ended before they could do so.
@@ -101,12 +108,6 @@ impl Drop for Cgroups {
         for folder in groups.values().flat_map(|group| &group.folders) {
             let _ = fs::remove_dir(folder);
         }
-    }
-}
-
-impl Key {
-    fn new(slot: u32, limits: &Limits) -> Key {
-        Key { slot, memory: limits.memory, threads: limits.threads }
     }
 }
 
@@ -153,8 +154,7 @@ impl Parents {
         for folder in &folders {
             fs::create_dir(folder)?;
         }
-        // The launcher waits in the same group.
-        let tasks = (u64::from(key.threads) + 1).to_string();
+        let tasks = key.tasks.to_string();
         let memory = key.memory.to_string();
         match &folders[..] {
             [memory_folder, tasks_folder] => {

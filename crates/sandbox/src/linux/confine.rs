@@ -25,10 +25,8 @@ use super::{landlock_rules, namespaces, private_root, system_calls, user};
 /// layer cannot be set up; what cannot be returned is said after `token`.
 pub fn confine(token: &OsStr, spec: &Spec, mut program: Command) -> Result<Infallible, String> {
     setsid().context("start a session")?;
-    end_with_parent()?;
-    if getppid().as_raw().cast_unsigned() != spec.parent {
-        return Err("the process that started this one is gone".to_owned());
-    }
+    let parent = Parent::Number(spec.parent);
+    end_with(&parent)?;
     close_on_exec().context("close inherited files")?;
     limits::no_core_dump().context("refuse core dumps")?;
     for file in spec.cgroups() {
@@ -44,21 +42,21 @@ pub fn confine(token: &OsStr, spec: &Spec, mut program: Command) -> Result<Infal
         // Only children are in the process namespace.
         return wait_for_child(token, spec, rules, program);
     }
-    last_steps(spec, rules)?;
+    last_steps(spec, rules, &parent)?;
     Err(replace(spec, &mut program))
 }
 
 /// What binds only the program, not a launcher that waits for it. The order matters: each step takes away what those
 /// before it needed.
-fn last_steps(spec: &Spec, rules: Option<RulesetCreated>) -> Result<(), String> {
+fn last_steps(spec: &Spec, rules: Option<RulesetCreated>, parent: &Parent) -> Result<(), String> {
     let filter = system_calls::filter(std::process::id(), spec.folder().is_some())?;
     if let Some(user) = spec.user {
         become_user(user).context("change the user")?;
     } else if spec.layers.namespaces && !user::is_root() {
         namespaces::leave_rights()?;
     }
-    // Changing the user undoes this.
-    end_with_parent()?;
+    // Once more: changing the user undoes it.
+    end_with(parent)?;
     if spec.layers.is_sandboxed() {
         give_up_rights()?;
     }
@@ -81,15 +79,15 @@ fn wait_for_child(
     rules: Option<RulesetCreated>,
     mut program: Command,
 ) -> Result<Infallible, String> {
-    // A pipe whose end tells the child that its parent is gone: it cannot see the parent's number.
-    let (alive, parent) = pipe2(OFlag::O_NONBLOCK | OFlag::O_CLOEXEC).context("make a pipe")?;
-    let mut parent = Some(parent);
-    let mut rules = Some(rules);
+    let (alive, end) = pipe2(OFlag::O_NONBLOCK | OFlag::O_CLOEXEC).context("make a pipe")?;
+    let parent = Parent::Pipe(alive);
+    let (mut end, mut rules) = (Some(end), Some(rules));
     let (token, spec) = (token.to_owned(), spec.clone());
     let name = format!("start {}", spec.program().display());
     let steps = move || {
-        let own_end = parent.take();
-        let result = follow_parent(&alive, own_end).and_then(|()| last_steps(&spec, rules.take().flatten()));
+        // The child's copy; that of this process stays open for as long as it waits.
+        drop(end.take());
+        let result = last_steps(&spec, rules.take().flatten(), &parent);
         // The standard library would pass on a number only.
         result.map_err(|failure| fail(&token, &failure))
     };
@@ -99,18 +97,22 @@ fn wait_for_child(
     end_like(status)
 }
 
-/// Arranges for this process to end with its parent, which may have ended already.
-fn follow_parent(alive: &OwnedFd, own_end: Option<OwnedFd>) -> Result<(), String> {
-    end_with_parent()?;
-    drop(own_end);
-    match read(alive, &mut [0]) {
-        Err(Errno::EAGAIN) => Ok(()),
-        _ => Err("the launcher is gone".to_owned()),
-    }
+/// How this process tells that its parent is still there.
+enum Parent {
+    /// By its number.
+    Number(u32),
+    /// By a pipe that it holds open: from inside a process namespace it has no number.
+    Pipe(OwnedFd),
 }
 
-fn end_with_parent() -> Result<(), String> {
-    set_pdeathsig(Signal::SIGKILL).context("end with the parent")
+/// Arranges for this process to end with its parent, which may have ended already.
+fn end_with(parent: &Parent) -> Result<(), String> {
+    set_pdeathsig(Signal::SIGKILL).context("end with the parent")?;
+    let is_there = match parent {
+        Parent::Number(number) => getppid().as_raw().cast_unsigned() == *number,
+        Parent::Pipe(alive) => read(alive, &mut [0]) == Err(Errno::EAGAIN),
+    };
+    if is_there { Ok(()) } else { Err("the process that started this one is gone".to_owned()) }
 }
 
 /// Ends this process as its child ended. It has kept standard output open until now: who sees it closed can rely on it

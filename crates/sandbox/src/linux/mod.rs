@@ -34,9 +34,11 @@ pub struct Resources {
 
 impl Resources {
     pub fn open(launcher: &Path, layers: Layers) -> Result<Resources, String> {
+        // The launcher waits outside of the process namespace, but in the same groups.
+        let waiting = u32::from(layers.namespaces);
         Ok(Resources {
             namespaces: layers.namespaces.then(|| Namespaces::open(launcher)).transpose()?,
-            cgroups: layers.cgroup.then(Cgroups::open).transpose()?,
+            cgroups: layers.cgroup.then(|| Cgroups::open(waiting)).transpose()?,
             tasks: user::task_limit(),
         })
     }

@@ -84,8 +84,11 @@ impl Drop for Namespaces {
 /// Enters the namespaces that the process `parent` holds open. Children of this process will be in the process
 /// namespace; it is not itself.
 pub fn enter(parent: u32, descriptors: &[i32]) -> Result<(), String> {
-    for descriptor in descriptors {
-        let file = File::open(format!("/proc/{parent}/fd/{descriptor}")).context("open a namespace")?;
+    let open = |descriptor| File::open(format!("/proc/{parent}/fd/{descriptor}"));
+    // All before the first is entered: from in there the parent is out of reach.
+    let files: Vec<File> =
+        descriptors.iter().map(open).collect::<Result<_, _>>().context("open a namespace")?;
+    for file in files {
         setns(file, CloneFlags::empty()).context("enter a namespace")?;
     }
     unshare(CloneFlags::CLONE_NEWNS).context("make a mount namespace")
