@@ -25,10 +25,14 @@ pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) 
     }
     let exact = judge(part, &answers, &|case| case.expected.clone());
     let (checks, remark) = best_of(part, &answers, exact);
+    let state = state(part, &answers, &checks);
+    // Some misconceptions answer like the template. Who has not started has none.
+    let is_started = state != PartState::NotStarted;
+    let named = if is_started { recognise(part, &answers, &checks) } else { Vec::new() };
     PartReport {
         rubric: part.rubric,
-        state: state(part, &answers, &checks),
-        named: recognise(part, &answers, &checks),
+        state,
+        named,
         checks,
         remark,
     }

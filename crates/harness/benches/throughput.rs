@@ -47,7 +47,10 @@ fn main() {
     let test_each = tested.as_secs_f64() * 1000.0 / TESTED as f64;
     println!("cargo test -p fk, warm, 2 at a time: {test_each:.1} ms each by the clock");
     println!("throughput, to cargo test:     {:.1} (aim: at least 10)", test_each / each(wall));
-    println!("processor time, to bare rustc: {:.2} (aim: at most 1.3)", cpu.as_secs_f64() / bare.as_secs_f64());
+    println!(
+        "processor time, to bare rustc: {:.2} (aim: at most 1.3)",
+        cpu.as_secs_f64() / bare.as_secs_f64()
+    );
 }
 
 /// Time by the clock, and processor time of the processes that ended meanwhile.

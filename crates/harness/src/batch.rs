@@ -146,7 +146,13 @@ impl Jobs<'_> {
             Loaded::Source(source) => source,
             Loaded::Rejected(rejection) => {
                 let record = rejected(entry, rejection, self.sandbox);
-                return self.write(Done { record, source: None, fingerprint: None, compile_ms: 0, run_ms: 0 });
+                return self.write(Done {
+                    record,
+                    source: None,
+                    fingerprint: None,
+                    compile_ms: 0,
+                    run_ms: 0,
+                });
             }
         };
         let text = digest::of(source.text.as_bytes());
@@ -207,13 +213,20 @@ impl Jobs<'_> {
     ) -> Result<(), Error> {
         let Waiting { mut record, fingerprint } = waiting;
         record.verdict = verdict.clone();
-        self.write(Done { record, source: Some(text.to_owned()), fingerprint: Some(fingerprint), compile_ms, run_ms })
+        self.write(Done {
+            record,
+            source: Some(text.to_owned()),
+            fingerprint: Some(fingerprint),
+            compile_ms,
+            run_ms,
+        })
     }
 
     fn write(&self, done: Done) -> Result<(), Error> {
         self.journal.append(&done)?;
         let Done { record, compile_ms, run_ms, .. } = &done;
-        let points = record.points().map_or_else(|| "no points".to_owned(), |points| format!("{points} points"));
+        let points =
+            record.points().map_or_else(|| "no points".to_owned(), |points| format!("{points} points"));
         let verdict = record.verdict.code();
         self.log.say(&format!(
             "{}: {verdict}, {points}; compiled in {compile_ms} ms, asked for {run_ms} ms",
@@ -252,10 +265,7 @@ pub(crate) fn record(
     };
     Record {
         id: entry.id.clone(),
-        student: results::Student {
-            number: entry.student.number.clone(),
-            name: entry.student.name.clone(),
-        },
+        student: results::Student { number: entry.student.number.clone(), name: entry.student.name.clone() },
         lms,
         file: entry.file.clone(),
         sha256,

@@ -48,7 +48,9 @@ pub fn run(_: &DoctorArgs) -> Result<ExitCode, Error> {
         }
         Err(unavailable) => {
             println!("\n{unavailable}");
-            println!("Without that, `cargo grade` marks only with `--unsandboxed`, and says so in every result.");
+            println!(
+                "Without that, `cargo grade` marks only with `--unsandboxed`, and says so in every result."
+            );
             Ok(ExitCode::FAILURE)
         }
     }

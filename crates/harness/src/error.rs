@@ -10,7 +10,9 @@ pub enum Error {
     #[error("the folder of fk-lab is not there any more: run this command in it, by cargo")]
     NoWorkspace,
     /// There is no compiler.
-    #[error("`{program}` cannot be run, and submissions are compiled with it: {why}\nInstall Rust from https://rustup.rs.")]
+    #[error(
+        "`{program}` cannot be run, and submissions are compiled with it: {why}\nInstall Rust from https://rustup.rs."
+    )]
     Toolchain {
         /// The program.
         program: String,
@@ -33,7 +35,9 @@ pub enum Error {
     #[error(transparent)]
     Results(#[from] results::Error),
     /// No sandbox.
-    #[error("{0}\nRun `cargo doctor` to see what this machine offers. `--unsandboxed` marks without protection: only do so with files that you trust.")]
+    #[error(
+        "{0}\nRun `cargo doctor` to see what this machine offers. `--unsandboxed` marks without protection: only do so with files that you trust."
+    )]
     Sandbox(#[from] sandbox::Unavailable),
     /// A file cannot be written.
     #[error("{} cannot be written: {source}{}", path.display(), advice(source))]

@@ -19,7 +19,7 @@ use crate::limits::LimitArgs;
 use crate::log::Log;
 use crate::marker::{Marker, Protection};
 use crate::progress::Progress;
-use crate::{Error, Ended, digest, workspace};
+use crate::{Ended, Error, digest, workspace};
 
 /// Marks a folder of submissions, or a zip of it
 #[derive(Args, Clone, Debug)]
@@ -143,11 +143,7 @@ fn processors() -> u32 {
 
 fn header(marker: &Marker, batch: &Batch, shard: Option<Shard>) -> Header {
     let ids: Vec<&str> = batch.entries().iter().map(|entry| entry.id.as_str()).collect();
-    Header {
-        info: marker.info(shard),
-        total: ids.len(),
-        digest: digest::of(ids.join("\n").as_bytes()),
-    }
+    Header { info: marker.info(shard), total: ids.len(), digest: digest::of(ids.join("\n").as_bytes()) }
 }
 
 /// A run goes on only under the conditions that it was begun with: otherwise its marks would not be comparable.

@@ -62,7 +62,10 @@ pub fn run(arguments: &GradescopeArgs) -> Result<ExitCode, Error> {
         }
         _ => {
             bundle(arguments)?;
-            println!("Written: {}. It holds the solutions and the seed: keep it to yourself.", arguments.out.display());
+            println!(
+                "Written: {}. It holds the solutions and the seed: keep it to yourself.",
+                arguments.out.display()
+            );
             println!("Upload it to Gradescope: Configure Autograder, Select Autograder (.zip).");
         }
     }
@@ -86,9 +89,7 @@ fn mark(arguments: &GradescopeArgs, submission: &Path) -> Result<serde_json::Val
             let outcome = marker.marking().mark(0, &scratch.path().join("0"), &source.text);
             batch::record(&entry, Some(source.sha256), source.remarks, &info.sandbox, outcome.verdict)
         }
-        Loaded::Rejected(rejection) => {
-            batch::rejected(&entry, rejection, &info.sandbox)
-        }
+        Loaded::Rejected(rejection) => batch::rejected(&entry, rejection, &info.sandbox),
     };
     Ok(results::gradescope(&info, &record))
 }

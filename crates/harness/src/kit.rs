@@ -80,7 +80,8 @@ struct Artifacts(Vec<(String, PathBuf)>);
 
 impl Artifacts {
     fn from_messages(lines: &[u8]) -> Artifacts {
-        let messages = lines.split(|&byte| byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok());
+        let messages =
+            lines.split(|&byte| byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok());
         let artifacts = messages.filter(|message: &Value| message["reason"] == "compiler-artifact");
         let files = artifacts.flat_map(|message| {
             let name = message["target"]["name"].as_str().unwrap_or_default().to_owned();

@@ -60,9 +60,7 @@ impl Marker {
         let kit = Kit::build(workspace, &toolchain)?;
         let launcher = launcher()?;
         let sandbox = match protection {
-            Protection::Strongest => {
-                Sandbox::strongest(launcher, &reads(&toolchain, &kit, scratch))?
-            }
+            Protection::Strongest => Sandbox::strongest(launcher, &reads(&toolchain, &kit, scratch))?,
             Protection::None => Sandbox::unsandboxed(launcher),
         };
         let exam = (exercise.exam)(seed);

@@ -96,7 +96,9 @@ fn check(arguments: &SubmitArgs, source: &str) -> Result<ExitCode, Error> {
                 whole: Some(&marked.whole),
             };
             anstream::print!("{board}");
-            println!("These are the questions that you know. Your marks are made with others of the same kind.");
+            println!(
+                "These are the questions that you know. Your marks are made with others of the same kind."
+            );
             Ok(ExitCode::SUCCESS)
         }
         Compiled::Not(verdict) => {

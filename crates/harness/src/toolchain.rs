@@ -96,12 +96,9 @@ fn direct_linker(workspace: &Path, target: &Path) -> Option<Linker> {
     let libraries = [find("libgcc_s.so.1")?, find("libm.so.6")?, find("libc.so.6")?];
     let after = libraries.iter().map(OsString::from).chain([find("crtn.o")?.into()]).collect();
 
-    let mut system = vec![Path::new(loader).canonicalize().ok()?];
-    system.extend(libraries.clone());
-    system.extend(["Scrt1.o", "crti.o", "crtn.o"].into_iter().filter_map(find));
-    let mut system: Vec<PathBuf> = system.iter().filter_map(|path| Some(path.parent()?.to_path_buf())).collect();
-    // The program that is linked names its loader by this path.
-    system.extend(Path::new(loader).parent().map(Path::to_path_buf));
+    let mut system = sandbox::system_libraries();
+    let files = libraries.iter().cloned().chain(["Scrt1.o", "crti.o", "crtn.o"].into_iter().filter_map(find));
+    system.extend(files.filter_map(|file| Some(file.parent()?.to_path_buf())));
     system.sort();
     system.dedup();
     Some(Linker::Direct { program, before, after, system })
