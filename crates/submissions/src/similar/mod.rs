@@ -11,16 +11,16 @@
 //!
 //! # What counts
 //!
-//! A passage is a run of [`PASSAGE`] tokens, in which names that the student gave count as one and the same, but names
-//! behind `.` and `::` or before `::` as themselves: those are not the student's to choose. From every [`WINDOW`] passages in a row one is kept,
-//! the same one wherever they stand (Schleimer, Wilkerson, Aiken: Winnowing, SIGMOD 2003): a copied stretch of `PASSAGE + WINDOW -
-//! 1` tokens is never missed. Passages of the template do not count. Submissions with fewer than [`FEWEST`] passages of their own
-//! are not compared: they have hardly begun.
+//! A passage is a run of [`PASSAGE`] tokens, in which all names that the student gave are one and the same. Names behind `.` and
+//! `::` or before `::` are not the student's to choose, and stay. From every [`WINDOW`] passages in a row one is kept, the same
+//! one wherever they stand (Schleimer, Wilkerson, Aiken: Winnowing, SIGMOD 2003): a copied stretch of `PASSAGE + WINDOW - 1`
+//! tokens is never missed. Passages of the template do not count. Submissions with fewer than [`FEWEST`] passages of their own are
+//! not compared: they have hardly begun.
 //!
-//! A passage is telling if few submissions have it: at most one in twenty, but three may always, and more than thirty never. What many
-//! write is how one writes it. Submissions that are the same but for names count as one here, so that a copy makes nothing
-//! common. With fewer than [`FEWEST`] telling passages in common, two submissions are not called alike, unless they are the same text. Among fewer than [`CROWD`]
-//! submissions nobody can say what is usual: only whole texts are compared.
+//! A passage is telling if few submissions have it: at most one in twenty, but three may always, and more than thirty never.
+//! What many write is how one writes it. Submissions that are the same but for names count as one here, so that a copy makes
+//! nothing common. With fewer than [`FEWEST`] telling passages in common, two submissions are not called alike, unless they are the
+//! same text. Among fewer than [`CROWD`] submissions nobody can say what is usual: only whole texts are compared.
 
 mod index;
 mod tokens;

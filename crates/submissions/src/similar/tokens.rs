@@ -209,7 +209,7 @@ mod tests {
     fn names_of_the_students_choice_are_one() {
         let given = "let _ = Quat::from_axis_angle(_.unit(), _[0] * 2.0); // x";
         let text = "let turn = Quat::from_axis_angle(axis.unit(), angles[0] * 2.0); // y";
-        let shape = |text| without_names(&tokens(text)).collect::<Vec<_>>().join(" ");
+        let shape = |text: &str| without_names(&tokens(text)).collect::<Vec<_>>().join(" ");
         assert_eq!(shape(text), shape(given));
         assert_ne!(shape(text), shape(&text.replace("2.0", "3.0")));
         assert_ne!(shape(text), shape(&text.replace("unit", "other")));
