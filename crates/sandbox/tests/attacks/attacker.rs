@@ -124,9 +124,13 @@ fn behave(attack: &str, arguments: &[&str]) {
             let mut file = File::create("large").unwrap();
             while file.write_all(&[0; 65536]).is_ok() {}
         }
-        "fill the folder" => (0_u64..).for_each(|number| {
-            let _ = File::create(number.to_string());
-        }),
+        "fill the folder" => {
+            let mut number = 0_u64;
+            loop {
+                let _ = File::create(number.to_string());
+                number += 1;
+            }
+        }
         _ => panic!("unknown attack: {attack}"),
     }
 }

@@ -13,9 +13,13 @@ mod attacker;
 #[cfg(target_os = "linux")]
 mod cases;
 #[cfg(target_os = "linux")]
+mod exhausted;
+#[cfg(target_os = "linux")]
 mod judge;
 #[cfg(target_os = "linux")]
 mod modes;
+#[cfg(target_os = "linux")]
+mod refused;
 
 #[cfg(target_os = "linux")]
 fn main() -> ExitCode {
