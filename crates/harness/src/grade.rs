@@ -51,6 +51,9 @@ pub struct GradeArgs {
     /// Mark without protection where this machine offers none. Only for files that you trust
     #[arg(long)]
     pub unsandboxed: bool,
+    /// Also write every source into `sources/ID/`, for a tool that looks for copies, such as JPlag
+    #[arg(long, conflicts_with = "anonymous")]
+    pub sources: bool,
     /// What comes out
     #[command(flatten)]
     pub output: OutputArgs,
@@ -133,8 +136,28 @@ pub fn run(arguments: &GradeArgs, stop: &Arc<AtomicBool>) -> Result<Ended, Error
     }
     let ids = mine.iter().map(|entry| entry.id.clone()).collect();
     let summary = finish::write(out, &journal, &ids, marker.exercise, options)?;
+    if arguments.sources {
+        write_sources(&out.join("sources"), &batch, &mine, arguments.exercise)?;
+    }
     log.say("results written")?;
     Ok(Ended::Done(summary))
+}
+
+fn write_sources(
+    folder: &Path,
+    batch: &Batch,
+    entries: &[&Entry],
+    exercise: &Exercise,
+) -> Result<(), Error> {
+    for entry in entries {
+        if let Loaded::Source(source) = batch.load(entry) {
+            let folder = folder.join(&entry.id);
+            fs::create_dir_all(&folder).map_err(|error| Error::write(&folder, error))?;
+            let path = folder.join(exercise.file);
+            fs::write(&path, source.text).map_err(|error| Error::write(&path, error))?;
+        }
+    }
+    Ok(())
 }
 
 fn processors() -> u32 {

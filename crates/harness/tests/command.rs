@@ -46,7 +46,8 @@ struct Run {
 
 fn run(command: &mut Command) -> Run {
     let output = command.output().unwrap();
-    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let text =
+        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     Run { output, text }
 }
 
@@ -89,7 +90,8 @@ fn a_compile_error_reaches_the_feedback_with_the_line_of_the_students_file() {
     let evening = Evening::new(5);
     evening.grade("out", &["--only", "300000004_Student4"]).succeeds();
     let feedback = fs::read_to_string(evening.path("out/feedback/300000004_Student4.md")).unwrap();
-    let line = submissions::source(4).lines().position(|line| line.contains("pose[parent] * local,")).unwrap();
+    let line =
+        submissions::source(4).lines().position(|line| line.contains("pose[parent] * local,")).unwrap();
     assert!(feedback.contains("cannot multiply"), "{feedback}");
     assert!(feedback.contains(&format!("exercises/fk/src/fk.rs:{}:", line + 1)), "{feedback}");
 }
@@ -211,6 +213,37 @@ fn a_submission_is_packed_and_checked() {
     submit("300000001").succeeds().says("0 of 15 points").says("300000001_TerryFox.zip");
     assert!(folder.path().join("300000001_TerryFox.zip").exists());
     submit("me").fails().says("student number");
+}
+
+#[test]
+fn gradescope_gets_an_archive_and_a_result() {
+    let folder = tempfile::tempdir().unwrap();
+    let archive = folder.path().join("autograder.zip");
+    let mut bundle = Harness::command();
+    run(bundle.args(["gradescope", "--seed", "7", "--out"]).arg(&archive)).succeeds();
+    let bytes = fs::read(&archive).unwrap();
+    let has = |name: &str| bytes.windows(name.len()).any(|window| window == name.as_bytes());
+    for name in ["setup.sh", "run_autograder", "Cargo.lock", "crates/harness/src/main.rs", "solutions/src/fk.rs"] {
+        assert!(has(name), "{name} is not in the archive");
+    }
+
+    let submission = folder.path().join("submission");
+    fs::create_dir(&submission).unwrap();
+    fs::write(submission.join("fk.rs"), submissions::source(2)).unwrap();
+    let result = folder.path().join("results.json");
+    let mut inside = Harness::command();
+    inside.args(["gradescope", "--seed", "7", "--submission"]).arg(&submission).arg("--results").arg(&result);
+    run(&mut inside).succeeds();
+    let result: Value = serde_json::from_slice(&fs::read(&result).unwrap()).unwrap();
+    assert_eq!(result["score"], 11, "{result}");
+}
+
+#[test]
+fn sources_are_written_for_tools_that_look_for_copies() {
+    let evening = Evening::new(2);
+    evening.grade("out", &["--sources"]).succeeds();
+    let source = fs::read_to_string(evening.path("out/sources/300000001_Student1/fk.rs")).unwrap();
+    assert_eq!(source, submissions::source(1));
 }
 
 #[test]
