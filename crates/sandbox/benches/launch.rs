@@ -75,10 +75,16 @@ fn report(name: &str, mut launch: impl FnMut() -> Duration) {
 }
 
 /// Processor time of all children so far.
+#[cfg(unix)]
 fn children() -> Duration {
     use nix::sys::resource::{UsageWho, getrusage};
     use nix::sys::time::TimeValLike;
     let usage = getrusage(UsageWho::RUSAGE_CHILDREN).unwrap();
     let micros = usage.user_time().num_microseconds() + usage.system_time().num_microseconds();
     Duration::from_micros(micros.unsigned_abs())
+}
+
+#[cfg(not(unix))]
+fn children() -> Duration {
+    Duration::ZERO
 }

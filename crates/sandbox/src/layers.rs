@@ -61,11 +61,7 @@ pub struct Layers {
 impl Layers {
     /// Those of `layers`, and no other.
     pub fn of(layers: &[Layer]) -> Layers {
-        let mut result = Layers::default();
-        for layer in layers {
-            *result.flag(*layer) = true;
-        }
-        result
+        layers.iter().fold(Layers::default(), |all, layer| all.with(*layer))
     }
 
     /// Whether `layer` is one of them.
@@ -78,7 +74,8 @@ impl Layers {
         (self.landlock || self.namespaces) && self.seccomp && self.limits
     }
 
-    pub(crate) fn with(mut self, layer: Layer) -> Layers {
+    /// These, and `layer` as well.
+    pub fn with(mut self, layer: Layer) -> Layers {
         *self.flag(layer) = true;
         self
     }

@@ -20,18 +20,23 @@ pub fn apply(spec: &Spec) -> nix::Result<()> {
         (Resource::RLIMIT_FSIZE, file_size),
         (Resource::RLIMIT_NOFILE, OPEN_FILES),
         (Resource::RLIMIT_STACK, STACK),
-        (Resource::RLIMIT_MEMLOCK, 0),
     ] {
         set(resource, limit, limit)?;
     }
     #[cfg(target_os = "linux")]
-    for resource in [Resource::RLIMIT_MSGQUEUE, Resource::RLIMIT_RTPRIO, Resource::RLIMIT_NICE] {
+    apply_more(spec)?;
+    set(Resource::RLIMIT_AS, spec.memory, spec.memory)
+}
+
+/// What not every Unix has.
+#[cfg(target_os = "linux")]
+fn apply_more(spec: &Spec) -> nix::Result<()> {
+    for resource in
+        [Resource::RLIMIT_MEMLOCK, Resource::RLIMIT_MSGQUEUE, Resource::RLIMIT_RTPRIO, Resource::RLIMIT_NICE]
+    {
         set(resource, 0, 0)?;
     }
-    if let Some(tasks) = spec.tasks {
-        set(Resource::RLIMIT_NPROC, tasks, tasks)?;
-    }
-    set(Resource::RLIMIT_AS, spec.memory, spec.memory)
+    spec.tasks.map_or(Ok(()), |tasks| set(Resource::RLIMIT_NPROC, tasks, tasks))
 }
 
 /// One byte rather than none: Linux then also starts no program that gathers core dumps.

@@ -1,4 +1,5 @@
 //! What the launcher is told in one argument.
+#![cfg_attr(not(target_os = "linux"), allow(dead_code))] // Other systems need a part of it.
 
 use std::ffi::{OsStr, OsString};
 use std::os::unix::ffi::{OsStrExt, OsStringExt};
