@@ -13,7 +13,8 @@ use crate::{Confinement, Limits, Sandbox};
 /// How a confined program ended.
 #[derive(Clone, Debug)]
 pub struct Finished {
-    /// How the process ended; `None` when that cannot be found out.
+    /// How the process ended; `None` where that cannot be found out, because this process ignores the end of its
+    /// children (SIGCHLD).
     pub status: Option<ExitStatus>,
     /// What it wrote on standard output, at most [`Limits::output`] together with `stderr`.
     pub stdout: Vec<u8>,
@@ -55,62 +56,80 @@ impl Sandbox {
         let mut command = self.command(slot, confinement, program)?;
         command.args(arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn()?;
-        let deadline = Instant::now() + confinement.limits.wall;
-        let output = read(&mut child, deadline, confinement.limits.output);
-        let (end, limit) = match output.limit {
-            Some(limit) => (kill(&mut child), Some(limit)),
-            None => wait(&mut child, deadline),
+        let limits = &confinement.limits;
+        let start = Instant::now();
+        let deadline = start.checked_add(limits.wall).unwrap_or(start + FAR);
+        let output = match read(&mut child, deadline, limits.output) {
+            Ok(output) => output,
+            Err(error) => {
+                kill(&mut child)?;
+                return Err(error);
+            }
         };
-        if let Some(reason) = self.setup_failure(&output.stderr) {
+        let (end, limit) = match output.limit {
+            Some(limit) => (kill(&mut child)?, Some(limit)),
+            None => wait(&mut child, deadline)?,
+        };
+        if let Some(reason) =
+            [&output.stderr, &output.excess].into_iter().find_map(|text| self.setup_failure(text))
+        {
             return Err(io::Error::other(reason));
         }
-        let (status, cpu) = end.map_or((None, Duration::ZERO), |end| (Some(end.status), end.cpu));
         let limit = limit.or_else(|| {
-            let killed_for_memory = || self.0.resources.killed_for_memory(slot, &confinement.limits);
-            let memory = || (gave_up(&output.stderr, status) || killed_for_memory()).then_some(Limit::Memory);
-            cpu_limit(status, cpu, &confinement.limits).or_else(memory)
+            let for_memory = || end.was_killed() && self.0.resources.killed_for_memory(slot, limits);
+            if end.is_out_of_time(limits) {
+                Some(Limit::Cpu)
+            } else {
+                (end.gave_up(&output.stderr) || for_memory()).then_some(Limit::Memory)
+            }
         });
-        Ok(Finished { status, stdout: output.stdout, stderr: output.stderr, limit, cpu })
+        let Output { stdout, stderr, .. } = output;
+        Ok(Finished { status: end.status, stdout, stderr, limit, cpu: end.cpu })
     }
 }
 
+/// Later than any run ends.
+const FAR: Duration = Duration::from_secs(1 << 30);
+
+#[derive(Default)]
 struct Output {
     stdout: Vec<u8>,
     stderr: Vec<u8>,
+    /// What reached over the limit, as far as it was read.
+    excess: Vec<u8>,
     limit: Option<Limit>,
 }
 
 /// Reads what `child` writes, until it has closed both or reaches a limit.
-fn read(child: &mut Child, deadline: Instant, most: usize) -> Output {
-    let mut output = Output { stdout: Vec::new(), stderr: Vec::new(), limit: None };
+fn read(child: &mut Child, deadline: Instant, most: usize) -> io::Result<Output> {
     // Small, so that a flood waits in the pipe and not in here.
     let (sender, chunks) = mpsc::sync_channel(2);
     if let Some(pipe) = child.stdout.take() {
-        pass_on(pipe, Stream::Output, sender.clone());
+        pass_on(pipe, Stream::Output, sender.clone())?;
     }
     if let Some(pipe) = child.stderr.take() {
-        pass_on(pipe, Stream::Error, sender.clone());
+        pass_on(pipe, Stream::Error, sender.clone())?;
     }
     drop(sender);
+    let mut output = Output::default();
     loop {
         match chunks.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
-            Ok((stream, chunk)) => {
+            Ok((stream, mut chunk)) => {
                 let room = most - output.stdout.len() - output.stderr.len();
-                let kept = chunk.get(..room).unwrap_or(&chunk);
-                match stream {
-                    Stream::Output => output.stdout.extend_from_slice(kept),
-                    Stream::Error => output.stderr.extend_from_slice(kept),
-                }
                 if chunk.len() > room {
+                    output.excess = chunk.split_off(room);
                     output.limit = Some(Limit::Output);
-                    return output;
+                }
+                match stream {
+                    Stream::Output => output.stdout.append(&mut chunk),
+                    Stream::Error => output.stderr.append(&mut chunk),
                 }
             }
-            Err(RecvTimeoutError::Disconnected) => return output,
-            Err(RecvTimeoutError::Timeout) => {
-                output.limit = Some(Limit::Wall);
-                return output;
-            }
+            Err(RecvTimeoutError::Disconnected) => return Ok(output),
+            Err(RecvTimeoutError::Timeout) => output.limit = Some(Limit::Wall),
+        }
+        if output.limit.is_some() {
+            return Ok(output);
         }
     }
 }
@@ -122,84 +141,110 @@ enum Stream {
 }
 
 /// Reads on a thread of its own, which ends with the pipe, or when nobody listens any more.
-fn pass_on(mut pipe: impl Read + Send + 'static, stream: Stream, sender: SyncSender<(Stream, Vec<u8>)>) {
-    thread::spawn(move || {
+fn pass_on(
+    mut pipe: impl Read + Send + 'static,
+    stream: Stream,
+    sender: SyncSender<(Stream, Vec<u8>)>,
+) -> io::Result<()> {
+    let read = move || {
         let mut buffer = vec![0; 64 * 1024];
         while let Ok(count @ 1..) = pipe.read(&mut buffer) {
             if sender.send((stream, buffer[..count].to_vec())).is_err() {
                 break;
             }
         }
-    });
-}
-
-struct End {
-    status: ExitStatus,
-    cpu: Duration,
+    };
+    thread::Builder::new().name("output".into()).spawn(read).map(drop)
 }
 
 /// Waits for `child`, which has closed its output and so has ended, or is about to, or hides.
-fn wait(child: &mut Child, deadline: Instant) -> (io::Result<End>, Option<Limit>) {
+fn wait(child: &mut Child, deadline: Instant) -> io::Result<(End, Option<Limit>)> {
     let mut pause = Duration::from_micros(20);
     loop {
-        match try_wait(child) {
-            Ok(Some(end)) => return (Ok(end), None),
-            Err(error) => return (Err(error), None),
-            Ok(None) if Instant::now() >= deadline => return (kill(child), Some(Limit::Wall)),
-            Ok(None) => thread::sleep(pause),
+        if let Some(end) = End::of(child)? {
+            return Ok((end, None));
         }
+        if Instant::now() >= deadline {
+            return Ok((kill(child)?, Some(Limit::Wall)));
+        }
+        thread::sleep(pause);
         pause = (pause * 2).min(Duration::from_millis(5));
     }
 }
 
+/// Ends `child` and what it has started.
 fn kill(child: &mut Child) -> io::Result<End> {
+    // It may have ended by itself.
     let _ = child.kill();
     #[cfg(unix)]
     crate::unix::wait::kill_group(child.id());
-    loop {
-        if let Some(end) = try_wait(child)? {
-            return Ok(end);
+    let end = loop {
+        match End::of(child)? {
+            Some(end) => break end,
+            None => thread::sleep(Duration::from_micros(100)),
         }
-        thread::sleep(Duration::from_micros(100));
-    }
-}
-
-#[cfg(unix)]
-fn try_wait(child: &mut Child) -> io::Result<Option<End>> {
-    let end = crate::unix::wait::try_wait(child.id())?;
-    if end.is_some() {
-        // Where no layer keeps it from starting others, they end with it.
-        crate::unix::wait::kill_group(child.id());
-    }
-    Ok(end.map(|(status, cpu)| End { status, cpu }))
-}
-
-#[cfg(not(unix))]
-fn try_wait(child: &mut Child) -> io::Result<Option<End>> {
-    Ok(child.try_wait()?.map(|status| End { status, cpu: Duration::ZERO }))
-}
-
-/// The system warns first and then kills. Whoever ignores the warning is known by the time.
-fn cpu_limit(status: Option<ExitStatus>, cpu: Duration, limits: &Limits) -> Option<Limit> {
+    };
     #[cfg(unix)]
-    {
-        use std::os::unix::process::ExitStatusExt;
-        let signal = status?.signal()?;
-        let killed = signal == libc::SIGKILL && cpu >= limits.cpu;
-        (signal == libc::SIGXCPU || killed).then_some(Limit::Cpu)
-    }
-    #[cfg(not(unix))]
-    {
-        let _ = (status, cpu, limits);
-        None
-    }
+    crate::unix::wait::wait_for_group(child.id());
+    Ok(end)
 }
 
-/// Whether the last words are those of Rust's or LLVM's allocator when the system gives no more.
-fn gave_up(stderr: &[u8], status: Option<ExitStatus>) -> bool {
-    let end = &stderr[stderr.len().saturating_sub(2000)..];
-    let end = String::from_utf8_lossy(end);
-    let words = [("memory allocation of ", " bytes failed"), ("LLVM ERROR: out of memory", "")];
-    let says = words.iter().any(|(one, two)| end.contains(one) && end.contains(two));
-    says && status.is_some_and(|status| !status.success())
+struct End {
+    status: Option<ExitStatus>,
+    cpu: Duration,
+}
+
+impl End {
+    /// `None` while `child` runs.
+    #[cfg(unix)]
+    fn of(child: &mut Child) -> io::Result<Option<End>> {
+        let end = match crate::unix::wait::try_wait(child.id()) {
+            Err(error) if error.raw_os_error() == Some(libc::ECHILD) => Some((None, Duration::ZERO)),
+            end => end?.map(|(status, cpu)| (Some(status), cpu)),
+        };
+        if end.is_some() {
+            // Where no layer keeps it from starting others, they end with it.
+            crate::unix::wait::kill_group(child.id());
+        }
+        Ok(end.map(|(status, cpu)| End { status, cpu }))
+    }
+
+    #[cfg(not(unix))]
+    fn of(child: &mut Child) -> io::Result<Option<End>> {
+        Ok(child.try_wait()?.map(|status| End { status: Some(status), cpu: Duration::ZERO }))
+    }
+
+    #[cfg(unix)]
+    fn signal(&self) -> Option<i32> {
+        std::os::unix::process::ExitStatusExt::signal(&self.status?)
+    }
+
+    #[cfg(unix)]
+    fn was_killed(&self) -> bool {
+        self.signal() == Some(libc::SIGKILL)
+    }
+
+    /// The system warns first and then kills. Whoever ignores the warning is known by the time.
+    #[cfg(unix)]
+    fn is_out_of_time(&self, limits: &Limits) -> bool {
+        self.signal() == Some(libc::SIGXCPU) || self.was_killed() && self.cpu >= limits.cpu
+    }
+
+    #[cfg(not(unix))]
+    fn was_killed(&self) -> bool {
+        false
+    }
+
+    #[cfg(not(unix))]
+    fn is_out_of_time(&self, _limits: &Limits) -> bool {
+        false
+    }
+
+    /// Whether the last words are those of Rust's or LLVM's allocator when the system gives no more.
+    fn gave_up(&self, stderr: &[u8]) -> bool {
+        let last = String::from_utf8_lossy(&stderr[stderr.len().saturating_sub(2000)..]);
+        let rust = last.contains("memory allocation of ") && last.contains(" bytes failed");
+        self.status.is_some_and(|status| !status.success())
+            && (rust || last.contains("LLVM ERROR: out of memory"))
+    }
 }

@@ -39,7 +39,7 @@ impl Resources {
         Ok(Resources {
             namespaces: layers.namespaces.then(|| Namespaces::open(launcher)).transpose()?,
             cgroups: layers.cgroup.then(|| Cgroups::open(waiting)).transpose()?,
-            tasks: user::task_limit(),
+            tasks: if layers.namespaces { None } else { user::task_limit() },
         })
     }
 

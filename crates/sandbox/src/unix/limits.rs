@@ -15,7 +15,7 @@ pub fn apply(spec: &Spec) -> nix::Result<()> {
     no_core_dump()?;
     let file_size = if spec.folder().is_some() { spec.file_size } else { 0 };
     // A signal at the first number, the end at the second.
-    set(Resource::RLIMIT_CPU, spec.cpu, spec.cpu + 1)?;
+    set(Resource::RLIMIT_CPU, spec.cpu, spec.cpu.saturating_add(1))?;
     for (resource, limit) in [
         (Resource::RLIMIT_FSIZE, file_size),
         (Resource::RLIMIT_NOFILE, OPEN_FILES),

@@ -2,6 +2,7 @@
 
 use std::convert::Infallible;
 use std::ffi::{OsStr, OsString};
+use std::io::{self, Write};
 use std::os::unix::process::CommandExt;
 use std::process::{Command, exit};
 use std::{env, fmt};
@@ -32,7 +33,9 @@ pub fn enter_if_asked() {
 
 /// Says what went wrong, so that it cannot be mistaken for the program's own words, and ends.
 pub fn fail(token: &OsStr, failure: &dyn fmt::Display) -> ! {
-    eprintln!("\n{} {failure}", token.display());
+    // In one piece: who watches the amount of output may stop reading behind the first.
+    let text = format!("\n{} {failure}\n", token.display());
+    let _ = io::stderr().write_all(text.as_bytes());
     exit(SETUP_FAILED)
 }
 

@@ -46,7 +46,7 @@ impl Spec {
             program: bytes(program),
             read: confinement.read.iter().map(|path| bytes(path)).collect(),
             folder: confinement.folder.as_deref().map(bytes),
-            cpu: limits.cpu.as_secs() + u64::from(limits.cpu.subsec_nanos() > 0),
+            cpu: limits.cpu.as_secs().saturating_add(u64::from(limits.cpu.subsec_nanos() > 0)),
             memory: limits.memory,
             file_size: limits.file_size,
             tasks: None,
@@ -93,4 +93,44 @@ fn bytes(path: &Path) -> Vec<u8> {
 
 fn path(bytes: &[u8]) -> &Path {
     Path::new(OsStr::from_bytes(bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::{Layer, Limits};
+
+    #[test]
+    fn what_is_told_is_understood() {
+        let limits = Limits {
+            cpu: Duration::from_millis(1500),
+            wall: Duration::MAX,
+            memory: u64::MAX,
+            threads: 3,
+            output: 4,
+            file_size: 5,
+        };
+        let odd = PathBuf::from(OsString::from_vec(b"/not text \xff\n".to_vec()));
+        let folder = Some(PathBuf::from("/with spaces"));
+        let confinement =
+            Confinement { read: vec![odd.clone(), "/b".into()], folder, environment: Vec::new(), limits };
+        let layers = Layers::of(&[Layer::Cgroup, Layer::Seccomp]);
+        let mut told = Spec::new(layers, &confinement, Path::new("/program"));
+        told.namespaces = vec![7, 8];
+        told.join_cgroups(&[PathBuf::from("/sys/tasks")]);
+        let heard = Spec::decode(&told.encode().unwrap()).unwrap();
+        assert_eq!(format!("{told:?}"), format!("{heard:?}"));
+        assert_eq!(heard.layers, layers);
+        assert_eq!(heard.read().collect::<Vec<_>>(), [odd.as_path(), Path::new("/b")]);
+        assert_eq!((heard.cpu, heard.memory), (2, u64::MAX));
+    }
+
+    #[test]
+    fn nonsense_is_not() {
+        for text in ["", "A", "AAAA", "not base64!", "////"] {
+            assert!(Spec::decode(OsStr::new(text)).is_none(), "{text}");
+        }
+    }
 }

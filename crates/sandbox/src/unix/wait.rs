@@ -4,6 +4,7 @@ use std::io;
 use std::mem::MaybeUninit;
 use std::os::unix::process::ExitStatusExt;
 use std::process::ExitStatus;
+use std::thread;
 use std::time::Duration;
 
 use nix::sys::signal::{Signal, killpg};
@@ -31,6 +32,17 @@ pub fn try_wait(pid: u32) -> io::Result<Option<(ExitStatus, Duration)>> {
 /// Ends all processes of the group that `leader` leads, if there are any left.
 pub fn kill_group(leader: u32) {
     let _ = killpg(Pid::from_raw(leader.cast_signed()), Signal::SIGKILL);
+}
+
+/// Waits until the group that `leader` led is empty: killing takes a moment. Not for ever, because where nobody fetches
+/// dead orphans they stay in it.
+pub fn wait_for_group(leader: u32) {
+    for _ in 0..1000 {
+        if killpg(Pid::from_raw(leader.cast_signed()), None).is_err() {
+            return;
+        }
+        thread::sleep(Duration::from_micros(100));
+    }
 }
 
 fn duration(time: libc::timeval) -> Duration {

@@ -129,6 +129,10 @@ fn trouble(scene: &Scene) {
         let error = run(&confinement, program.to_str().unwrap());
         assert!(error.contains("not an absolute path"), "{error}");
     }
+    // Also where nothing that it says is wanted.
+    missing.limits.output = 0;
+    let error = run(&missing, program.to_str().unwrap());
+    assert!(error.contains("/nowhere/to be found"), "{error}");
     // For users of `command`.
     let mut command = scene.sandbox.command(1, &missing, &program).unwrap();
     let output = command.output().unwrap();

@@ -60,6 +60,9 @@ pub fn floods(scene: &Scene) {
         assert_eq!(finished.limit, Some(Limit::Output));
         assert_eq!(finished.stdout.len() + finished.stderr.len(), scene.confinement.limits.output);
     }
+    let limits = Limits { output: 0, ..scene.confinement.limits };
+    let finished = scene.run_as(&Confinement { limits, ..scene.confinement.clone() }, "exit", &[]);
+    assert_eq!((finished.limit, finished.status.unwrap().code()), (None, Some(7)));
 }
 
 pub fn disk(scene: &Scene) {

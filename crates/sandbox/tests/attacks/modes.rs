@@ -89,8 +89,14 @@ impl Mode {
         MODES.iter().find(|mode| mode.name == name).unwrap()
     }
 
-    pub fn layers(&self) -> Layers {
+    fn layers(&self) -> Layers {
         Layers::of(self.layers)
+    }
+
+    /// Some desktops let a user have control groups.
+    pub fn possible_layers(&self) -> [Layers; 2] {
+        let layers = self.layers();
+        [layers, if self.is_user { layers.with(Cgroup) } else { layers }]
     }
 
     pub fn has(&self, layer: Layer) -> bool {
