@@ -143,12 +143,7 @@ pub fn run(arguments: &GradeArgs, stop: &Arc<AtomicBool>) -> Result<Ended, Error
     Ok(Ended::Done(summary))
 }
 
-fn write_sources(
-    folder: &Path,
-    batch: &Batch,
-    entries: &[&Entry],
-    exercise: &Exercise,
-) -> Result<(), Error> {
+fn write_sources(folder: &Path, batch: &Batch, entries: &[&Entry], exercise: &Exercise) -> Result<(), Error> {
     for entry in entries {
         if let Loaded::Source(source) = batch.load(entry) {
             let folder = folder.join(&entry.id);

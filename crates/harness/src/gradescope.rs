@@ -95,8 +95,7 @@ fn mark(arguments: &GradescopeArgs, submission: &Path) -> Result<serde_json::Val
 }
 
 /// What the harness is built from.
-const SOURCES: [&str; 8] =
-    ["Cargo.toml", "Cargo.lock", ".cargo", "crates", "exercises", "solutions", "data", "docs"];
+const SOURCES: [&str; 7] = ["Cargo.toml", "Cargo.lock", ".cargo", "crates", "exercises", "solutions", "data"];
 
 const SETUP: &str = "#!/usr/bin/env bash
 # Runs once, when Gradescope builds the autograder's image.
@@ -160,10 +159,10 @@ fn add(archive: &mut ZipArchiveWriter<Vec<u8>>, name: &str, bytes: &[u8], mode: 
     Ok(())
 }
 
-/// The files below `name`, but for what was built and for pictures.
+/// The files below `name`, but for what was built.
 fn collect(root: &Path, name: &Path, files: &mut Vec<PathBuf>) -> Result<(), Error> {
     let path = root.join(name);
-    let skip = ["target", "pictures", "book"];
+    let skip = ["target"];
     if path.is_dir() {
         if name.file_name().is_some_and(|last| skip.iter().any(|skip| last == *skip)) {
             return Ok(());

@@ -223,7 +223,9 @@ fn gradescope_gets_an_archive_and_a_result() {
     run(bundle.args(["gradescope", "--seed", "7", "--out"]).arg(&archive)).succeeds();
     let bytes = fs::read(&archive).unwrap();
     let has = |name: &str| bytes.windows(name.len()).any(|window| window == name.as_bytes());
-    for name in ["setup.sh", "run_autograder", "Cargo.lock", "crates/harness/src/main.rs", "solutions/src/fk.rs"] {
+    for name in
+        ["setup.sh", "run_autograder", "Cargo.lock", "crates/harness/src/main.rs", "solutions/src/fk.rs"]
+    {
         assert!(has(name), "{name} is not in the archive");
     }
 
@@ -250,4 +252,33 @@ fn sources_are_written_for_tools_that_look_for_copies() {
 fn the_doctor_says_what_there_is() {
     let mut command = Harness::command();
     run(command.arg("doctor")).says("Compiler   rustc").says("Sandbox");
+}
+
+/// The book and its examples name only commands and options that there are.
+#[test]
+fn what_the_book_says_to_type_exists() {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
+    let examples = fs::read_dir(docs.join("examples")).unwrap().map(|entry| entry.unwrap().path());
+    let pages = ["grading.md", "getting-started.md"].map(|page| docs.join(page));
+    let mut checked = 0;
+    for path in examples.chain(pages) {
+        let text = fs::read_to_string(&path).unwrap().replace("\\\n", " ");
+        for line in text.lines() {
+            for (command, rest) in
+                [("grade", "cargo grade "), ("submit", "cargo submit "), ("", "cargo harness ")]
+                    .into_iter()
+                    .filter_map(|(command, start)| Some((command, line.split_once(start)?.1)))
+            {
+                let first = rest.split_whitespace().next().unwrap();
+                let command = if command.is_empty() { first } else { command };
+                let help = run(Harness::command().args([command, "--help"])).succeeds().text;
+                let is_option = |word: &&str| word.starts_with("--");
+                for option in rest.split([' ', '`', '"', ')']).filter(is_option) {
+                    assert!(help.contains(option), "{}: {command} knows no {option}", path.display());
+                    checked += 1;
+                }
+            }
+        }
+    }
+    assert!(checked > 15, "{checked}");
 }
