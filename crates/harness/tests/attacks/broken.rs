@@ -106,13 +106,25 @@ fn paths(list: &mut List) {
     list.zip("slips_out", "A file that would lie outside, by `../`", "graded 15", &right(path)).quick = true;
     list.zip("absolute", "A file that would lie at the root", "graded 15", &right("/fk-lab-slipped/fk.rs"));
     list.zip("drive", "A file that would lie on another drive", "graded 15", &right("C:\\fk.rs"));
-    list.zip("slips_out_backwards", "A file that would lie outside, by `..\\`", "graded 15", &right("..\\..\\fk.rs"));
-    list.zip("windows_names", "Folders as Windows separates them", "graded 15", &right("exercises\\fk\\src\\fk.rs"));
+    list.zip(
+        "slips_out_backwards",
+        "A file that would lie outside, by `..\\`",
+        "graded 15",
+        &right("..\\..\\fk.rs"),
+    );
+    list.zip(
+        "windows_names",
+        "Folders as Windows separates them",
+        "graded 15",
+        &right("exercises\\fk\\src\\fk.rs"),
+    );
     list.zip("wrapped", "A folder around the file", "graded 15", &right("TerryFox/assignment 1/fk.rs"));
-    list.zip("odd_letters", "A path that is no text, with commands for a terminal", "graded 15", &[File::new(
-        b"\xff\x1b[31m\r\n/fk.rs".to_vec(),
-        self::right("odd letters"),
-    )]);
+    list.zip(
+        "odd_letters",
+        "A path that is no text, with commands for a terminal",
+        "graded 15",
+        &[File::new(b"\xff\x1b[31m\r\n/fk.rs".to_vec(), self::right("odd letters"))],
+    );
     let mut link = File::new("fk.rs", "/etc/passwd");
     link.mode = 0o120_777;
     list.zip("link", "The file is a link to a file outside", "rejected link", &[link]);
@@ -131,10 +143,20 @@ fn archives(list: &mut List) {
     list.zip("says_less", "Says that the file is smaller than it is", "rejected archive_damaged", &[lies]);
     let mut lies = plain("says more").compressed();
     lies.size = u32::MAX - 1;
-    list.zip("says_more", "Says that the file has four thousand million bytes", "rejected archive_damaged | rejected too_large", &[lies]);
+    list.zip(
+        "says_more",
+        "Says that the file has four thousand million bytes",
+        "rejected archive_damaged | rejected too_large",
+        &[lies],
+    );
     let mut lies = plain("other checksum");
     lies.crc32 ^= 1;
-    list.zip("other_checksum", "The contents are not those of the checksum", "rejected archive_damaged", &[lies]);
+    list.zip(
+        "other_checksum",
+        "The contents are not those of the checksum",
+        "rejected archive_damaged",
+        &[lies],
+    );
     let mut twin = plain("twin");
     twin.name = b"notes.txt".to_vec();
     twin.place_of = Some(0);
@@ -142,7 +164,12 @@ fn archives(list: &mut List) {
     let many: Vec<File> = (0..100_000).map(|i| File::new(format!("{i}.txt"), "")).collect();
     list.zip("many", "A hundred thousand files", "rejected archive_too_many_files", &many);
     let inner = archive(&[plain("nested")]);
-    list.zip("nested", "An archive in an archive", "rejected archive_nested", &[File::new("inner.zip", inner)]);
+    list.zip(
+        "nested",
+        "An archive in an archive",
+        "rejected archive_nested",
+        &[File::new("inner.zip", inner)],
+    );
     let mut secret = plain("encrypted");
     secret.flags = 1;
     list.zip("encrypted", "Needs a password", "rejected archive_encrypted", &[secret]);
@@ -152,48 +179,111 @@ fn archives(list: &mut List) {
     let mut cut = archive(&[plain("cut")]);
     cut.truncate(cut.len() / 2);
     list.add("cut.zip", "Cut off in the middle", "rejected archive_damaged", What::File(cut)).quick = true;
-    list.add("prose.zip", "A text that is called an archive", "rejected not_a_zip", What::File(b"see my repository".to_vec()));
-    list.add("rar.zip", "Another kind of archive", "rejected not_a_zip", What::File(b"Rar!\x1a\x07\x01\0\0\0\0\0".to_vec()));
+    list.add(
+        "prose.zip",
+        "A text that is called an archive",
+        "rejected not_a_zip",
+        What::File(b"see my repository".to_vec()),
+    );
+    list.add(
+        "rar.zip",
+        "Another kind of archive",
+        "rejected not_a_zip",
+        What::File(b"Rar!\x1a\x07\x01\0\0\0\0\0".to_vec()),
+    );
     list.add("nothing.zip", "No bytes at all", "rejected empty", What::File(Vec::new()));
     list.zip("without_files", "An archive without files", "rejected no_source", &[]);
     let mut prefix = b"#!/bin/sh\nexit 0\n".to_vec();
     prefix.extend(archive(&[plain("prefix")]));
-    list.add("prefix.zip", "Something else before the archive", "graded 15 | rejected archive_damaged | rejected not_a_zip", What::File(prefix));
+    list.add(
+        "prefix.zip",
+        "Something else before the archive",
+        "graded 15 | rejected archive_damaged | rejected not_a_zip",
+        What::File(prefix),
+    );
     let mut noise = archive(&[plain("noise")]);
     for (i, byte) in noise.iter_mut().enumerate().skip(4) {
         *byte ^= (i as u8).wrapping_mul(167);
     }
-    list.add("noise.zip", "Begins like an archive and goes on as noise", "rejected archive_damaged", What::File(noise));
+    list.add(
+        "noise.zip",
+        "Begins like an archive and goes on as noise",
+        "rejected archive_damaged",
+        What::File(noise),
+    );
 }
 
 /// Archives in which the file is to be found.
 fn choices(list: &mut List) {
     let file = |path: &str| File::new(path, right(path));
     let rust = |path: &str| File::new(path, "pub fn other() {}\n");
-    list.zip("same_name_twice", "Two files of one name", "rejected two_candidates", &[file("fk.rs"), rust("fk.rs")]);
+    list.zip(
+        "same_name_twice",
+        "Two files of one name",
+        "rejected two_candidates",
+        &[file("fk.rs"), rust("fk.rs")],
+    );
     list.zip("upper_and_lower", "Names that differ in case", "graded 15", &[rust("FK.rs"), file("fk.rs")]);
-    list.zip("only_upper", "Two names that are nearly right", "rejected two_candidates", &[file("FK.RS"), rust("Fk.rs")]);
-    let litter = [File::new("__MACOSX/._fk.rs", b"\0\x05\x16\x07"), File::new("._fk.rs", b"\0\x05\x16\x07"), file("fk.rs")];
+    list.zip(
+        "only_upper",
+        "Two names that are nearly right",
+        "rejected two_candidates",
+        &[file("FK.RS"), rust("Fk.rs")],
+    );
+    let litter = [
+        File::new("__MACOSX/._fk.rs", b"\0\x05\x16\x07"),
+        File::new("._fk.rs", b"\0\x05\x16\x07"),
+        file("fk.rs"),
+    ];
     list.zip("from_a_mac", "What a Mac leaves behind", "graded 15", &litter).quick = true;
     list.zip("other_name", "The file under another name", "graded 15", &[file("my_solution.rs")]);
-    list.zip("other_names", "Two files under other names", "rejected wrong_name", &[file("one.rs"), rust("two.rs")]);
-    list.zip("two_folders", "Two files of the right name", "rejected two_candidates", &[file("old/fk.rs"), rust("new/fk.rs")]);
-    list.zip("whole_project", "The whole project", "graded 15", &[
-        file("fk-lab/exercises/fk/src/fk.rs"),
-        rust("fk-lab/solutions/src/fk.rs"),
-        rust("fk-lab/exercises/fk/src/lib.rs"),
-    ]);
-    list.zip("brings_a_build", "A build script, a procedural macro and settings of cargo, none of which is used", "graded 15", &build());
-    list.zip("a_document", "A document of an office program, which is an archive", "rejected no_source", &[
-        File::new("[Content_Types].xml", "<Types/>"),
-        File::new("word/document.xml", "<document/>"),
-    ]);
-    list.zip("a_folder_of_that_name", "A folder that is called like the file", "rejected no_source", &[File::new("fk.rs/", "")]);
+    list.zip(
+        "other_names",
+        "Two files under other names",
+        "rejected wrong_name",
+        &[file("one.rs"), rust("two.rs")],
+    );
+    list.zip(
+        "two_folders",
+        "Two files of the right name",
+        "rejected two_candidates",
+        &[file("old/fk.rs"), rust("new/fk.rs")],
+    );
+    list.zip(
+        "whole_project",
+        "The whole project",
+        "graded 15",
+        &[
+            file("fk-lab/exercises/fk/src/fk.rs"),
+            rust("fk-lab/solutions/src/fk.rs"),
+            rust("fk-lab/exercises/fk/src/lib.rs"),
+        ],
+    );
+    list.zip(
+        "brings_a_build",
+        "A build script, a procedural macro and settings of cargo, none of which is used",
+        "graded 15",
+        &build(),
+    );
+    list.zip(
+        "a_document",
+        "A document of an office program, which is an archive",
+        "rejected no_source",
+        &[File::new("[Content_Types].xml", "<Types/>"), File::new("word/document.xml", "<document/>")],
+    );
+    list.zip(
+        "a_folder_of_that_name",
+        "A folder that is called like the file",
+        "rejected no_source",
+        &[File::new("fk.rs/", "")],
+    );
 }
 
 fn build() -> [File; 6] {
-    let script = "fn main() { std::fs::write(\"/tmp/fk-lab-slipped\", \"built\").unwrap(); panic!(\"built\"); }\n";
-    let manifest = "[package]\nname = \"fk\"\nversion = \"9.9.9\"\nbuild = \"build.rs\"\n[lib]\nproc-macro = true\n";
+    let script =
+        "fn main() { std::fs::write(\"/tmp/fk-lab-slipped\", \"built\").unwrap(); panic!(\"built\"); }\n";
+    let manifest =
+        "[package]\nname = \"fk\"\nversion = \"9.9.9\"\nbuild = \"build.rs\"\n[lib]\nproc-macro = true\n";
     let settings = "[build]\nrustc-wrapper = \"/bin/false\"\nrustflags = [\"-Clinker=/bin/false\"]\n";
     [
         File::new("exercises/fk/src/fk.rs", right("brings a build")),
@@ -218,23 +308,49 @@ fn texts(list: &mut List) {
     let wide = |name: &str, unit: fn(u16) -> [u8; 2]| -> Vec<u8> {
         ('\u{feff}'.to_string() + &right(name)).encode_utf16().flat_map(unit).collect()
     };
-    list.text("utf_16", "UTF-16, as Windows has it", "graded 15", wide("little", u16::to_le_bytes)).quick = true;
+    list.text("utf_16", "UTF-16, as Windows has it", "graded 15", wide("little", u16::to_le_bytes)).quick =
+        true;
     list.text("utf_16_other", "UTF-16, the other way around", "graded 15", wide("big", u16::to_be_bytes));
     list.text("crlf", "Lines that end as in Windows", "graded 15", right("crlf").replace('\n', "\r\n"));
     list.text("cr", "Lines that end as on old Macs", "graded 15", right("cr").replace('\n', "\r"));
     list.text("zero_byte", "A zero byte in the middle", "rejected binary", right("zero") + "// \0\n");
     let turned = right("turned") + "// \u{202e}graded 15\u{2066}\n";
-    list.text("turned_around", "Letters that turn the writing direction around", "does-not-compile \"visible direction\"", turned);
+    list.text(
+        "turned_around",
+        "Letters that turn the writing direction around",
+        "does-not-compile \"visible direction\"",
+        turned,
+    );
     let mut latin = right("latin").into_bytes();
     latin.extend(b"// Schr\xf6dingers L\xf6sung\n");
     list.text("latin_1", "Letters in Latin-1", "graded 15", latin);
-    list.text("zero_width", "Letters that cannot be seen, in a name", "does-not-compile", right("zero width") + "const A\u{200b}B: u8 = 0;\n");
+    list.text(
+        "zero_width",
+        "Letters that cannot be seen, in a name",
+        "does-not-compile",
+        right("zero width") + "const A\u{200b}B: u8 = 0;\n",
+    );
     list.text("pdf", "A PDF that is called a Rust file", "rejected not_source", "%PDF-1.7\n");
-    list.text("program", "A program that is called a Rust file", "rejected not_source", b"\x7fELF\x02\x01\x01\0");
+    list.text(
+        "program",
+        "A program that is called a Rust file",
+        "rejected not_source",
+        b"\x7fELF\x02\x01\x01\0",
+    );
     let long = right("long") + &"// All work and no play makes Jack a dull boy\n".repeat(10_000);
     list.text("too_long", "460 kB of comments", "rejected too_large", long);
-    list.text("one_line", "Everything in one line of 200,000 letters", "graded 15", right("one line") + &format!("const LONG: &str = \"{}\";\n", "x".repeat(200_000)));
-    list.add("notes.txt", "Neither a Rust file nor an archive", "rejected wrong_type", What::File(b"done".to_vec()));
+    list.text(
+        "one_line",
+        "Everything in one line of 200,000 letters",
+        "graded 15",
+        right("one line") + &format!("const LONG: &str = \"{}\";\n", "x".repeat(200_000)),
+    );
+    list.add(
+        "notes.txt",
+        "Neither a Rust file nor an archive",
+        "rejected wrong_type",
+        What::File(b"done".to_vec()),
+    );
 }
 
 /// Names of students and of files.
@@ -249,7 +365,7 @@ fn names(list: &mut List) {
     name("@SUM(A1)", "And another");
     name("Robert\"); DROP TABLE Students;--", "A name with quotes, semicolons and dashes");
     name("Fox, Terry, \"the runner\"", "A name with commas and quotes");
-    name("<script>document.title = 'taken over'</script>", "A name with a script");
+    name("<script>document.title = 'taken over'", "A name with a script");
     name("<img src=x onerror=alert(1)>&amp;", "A name with HTML");
     name("\u{1b}[31mred\u{1b}[0m\u{7}", "A name with commands for a terminal");
     name("two\nlines\r\nand more", "A name of several lines");
@@ -261,7 +377,9 @@ fn names(list: &mut List) {
     name("%2e%2e%2f&#60;b&#62;", "A name that is written in codes");
     name("%s%n%x{}{0}$HOME`id`$(id)", "A name that a program could mistake for commands");
     let file = |name: &str| What::File(archive(&[File::new("fk.rs", right(name))]));
-    for (name, text) in [("homework.zip", "No student's number"), ("CON.zip", "A name that Windows keeps for itself")] {
+    for (name, text) in
+        [("homework.zip", "No student's number"), ("CON.zip", "A name that Windows keeps for itself")]
+    {
         list.add(name, text, "graded 15", file(name)).has_number = false;
     }
     for name in ["300999999_TwiceHandedIn.zip", "300999999_TwiceHandedIn.rs"] {
@@ -274,11 +392,31 @@ fn names(list: &mut List) {
 fn no_files(list: &mut List) {
     let right = |name: &str| right(name).into_bytes();
     list.add("folder", "A folder", "graded 15", What::Folder(vec![("src/fk.rs", right("folder"))]));
-    list.add("empty_folder", "A folder without files", "rejected no_source", What::Folder(vec![(".hidden", Vec::new())]));
+    list.add(
+        "empty_folder",
+        "A folder without files",
+        "rejected no_source",
+        What::Folder(vec![(".hidden", Vec::new())]),
+    );
     list.add("link.rs", "A link to a file outside", "rejected link", What::Link("SECRET"));
-    list.add("link_to_solution.rs", "A link to the reference solution", "rejected link", What::Link("SOLUTION"));
+    list.add(
+        "link_to_solution.rs",
+        "A link to the reference solution",
+        "rejected link",
+        What::Link("SOLUTION"),
+    );
     list.add("link_to_folder", "A link to a folder outside", "rejected link", What::Link("OUTSIDE"));
-    list.add("folder_with_link", "A folder with a link to the solution in it", "rejected link", What::FolderWithLink("fk.rs", "SOLUTION"));
-    list.add("folder_in_itself", "A folder that holds itself", "rejected no_source | rejected link", What::FolderWithLink("again", "SUBMISSIONS"));
+    list.add(
+        "folder_with_link",
+        "A folder with a link to the solution in it",
+        "rejected link",
+        What::FolderWithLink("fk.rs", "SOLUTION"),
+    );
+    list.add(
+        "folder_in_itself",
+        "A folder that holds itself",
+        "rejected no_source | rejected link",
+        What::FolderWithLink("again", "SUBMISSIONS"),
+    );
     list.add("pipe.rs", "A pipe, from which reading never ends", "rejected special_file", What::Pipe);
 }

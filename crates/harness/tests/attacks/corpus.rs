@@ -8,7 +8,8 @@ use crate::expected::Expected;
 
 /// The reference solution, without the words at its head: attacks stand before it.
 pub fn solution() -> String {
-    let lines = include_str!("../../../../solutions/src/fk.rs").lines().filter(|line| !line.starts_with("//!"));
+    let lines =
+        include_str!("../../../../solutions/src/fk.rs").lines().filter(|line| !line.starts_with("//!"));
     lines.flat_map(|line| [line, "\n"]).collect()
 }
 

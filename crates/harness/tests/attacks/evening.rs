@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
 use libtest_mimic::Failed;
+use nix::sys::wait::{WaitPidFlag, WaitStatus, waitpid};
 use serde_json::Value;
 
 use crate::broken::broken;
@@ -30,6 +31,9 @@ const COMPILE_WALL: u32 = 20;
 
 /// Nobody knows this seed.
 const SEED: &str = "20260131";
+
+/// What is left of answers that are known by heart: a point for taking the angles from the frame, and one for a root.
+const BY_HEART: &str = "graded 2; part1 partly-right; part2 partly-right; part3 not-started";
 
 /// The file that others try to steal.
 const NEIGHBOUR: &str = "300000000_Innocent.rs";
@@ -138,11 +142,12 @@ pub fn unprotected(size: Size) -> Result<(), Failed> {
 /// Answers that are known by heart help with the seed that is known, and with no other.
 pub fn answers_by_heart() -> Result<(), Failed> {
     let mut wrong = Wrong::default();
-    for (seed, expect) in [(grading::PUBLIC_SEED.to_string(), "graded 15"), (SEED.to_owned(), "graded 0")] {
+    for (seed, expect) in [(grading::PUBLIC_SEED.to_string(), "graded 15"), (SEED.to_owned(), BY_HEART)] {
         let planted = Planted::new();
         let file = write(&planted.given(), 300_000_001, "by_heart", &hard_coded::source());
         let records = grade(Mode::PLAIN, &planted, &["--seed", &seed])?;
-        let handed = Handed { file, name: format!("by heart, seed {seed}"), expect: Expected::parse(expect)? };
+        let handed =
+            Handed { file, name: format!("by heart, seed {seed}"), expect: Expected::parse(expect)? };
         verdicts(&records, &[handed], &mut wrong);
     }
     wrong.result()
@@ -158,11 +163,23 @@ fn innocents(given: &Path) -> Vec<String> {
     let sources = [
         solution.clone(),
         change("pose[parent].rotation * local,", "local * pose[parent].rotation,"),
-        change("turn(first, a) * turn(second, b) * turn(third, c)", "turn(third, c) * turn(second, b) * turn(first, a)"),
-        change("pose[parent].position + pose[parent].rotation * local_position", "pose[parent].position + local_position"),
+        change(
+            "turn(first, a) * turn(second, b) * turn(third, c)",
+            "turn(third, c) * turn(second, b) * turn(first, a)",
+        ),
+        change(
+            "pose[parent].position + pose[parent].rotation * local_position",
+            "pose[parent].position + local_position",
+        ),
         change("degrees.to_radians()", "degrees * 3.14 / 180.0"),
-        change("        return Quat::IDENTITY;\n", "        println!(\"{}\", joint.name);\n        return Quat::IDENTITY;\n"),
-        change("Some(parent) => pose[parent].rotation * local,", "Some(parent) => pose[parent].rotation * locl,"),
+        change(
+            "        return Quat::IDENTITY;\n",
+            "        println!(\"{}\", joint.name);\n        return Quat::IDENTITY;\n",
+        ),
+        change(
+            "Some(parent) => pose[parent].rotation * local,",
+            "Some(parent) => pose[parent].rotation * locl,",
+        ),
     ];
     // Among the others, from the first to the last.
     let each = sources.iter().enumerate().map(|(number, source)| {
@@ -190,7 +207,11 @@ fn hostile(planted: &Planted, mode: Mode, size: Size) -> Vec<Handed> {
             _ => attack.expect.clone(),
         };
         let file = write(&given, number, &attack.name, &attack.source(&names));
-        handed.push(Handed { file, expect: expect.map_words(|words| fill(words, &names)), name: attack.name });
+        handed.push(Handed {
+            file,
+            expect: expect.map_words(|words| fill(words, &names)),
+            name: attack.name,
+        });
     }
     let numbers = (300_000_003..).step_by(50);
     for (number, broken) in numbers.zip(broken().into_iter().filter(|broken| wanted(broken.quick))) {
@@ -199,7 +220,11 @@ fn hostile(planted: &Planted, mode: Mode, size: Size) -> Vec<Handed> {
         handed.push(Handed { file, name: broken.text.to_owned(), expect: broken.expect.clone() });
     }
     let file = write(&given, 300_000_002, "by_heart", &hard_coded::source());
-    handed.push(Handed { file, name: "answers by heart".to_owned(), expect: Expected::parse("graded 0").unwrap() });
+    handed.push(Handed {
+        file,
+        name: "answers by heart".to_owned(),
+        expect: Expected::parse(BY_HEART).unwrap(),
+    });
     handed
 }
 
@@ -226,7 +251,8 @@ fn grade(mode: Mode, planted: &Planted, more: &[&str]) -> Result<Vec<Value>, Fai
     flag(&mut command, "--compile-wall", COMPILE_WALL);
     let Output { status, stdout, stderr } = command.args(more).env("FK_LAB_PLANTED", WORD).output()?;
     let text = String::from_utf8_lossy(&stdout).into_owned() + &String::from_utf8_lossy(&stderr);
-    let results = fs::read(planted.out().join("results.json")).map_err(|error| format!("{error}, {status}: {text}"))?;
+    let results =
+        fs::read(planted.out().join("results.json")).map_err(|error| format!("{error}, {status}: {text}"))?;
     if !status.success() {
         println!("{status}: {text}");
     }
@@ -259,6 +285,9 @@ fn processes(wrong: &mut Wrong) {
     let start = Instant::now();
     // What is killed takes a moment to go.
     while let Some(process) = orphan() {
+        // The dead are buried by whom the system gave them to, and a namespace waits for its dead.
+        while waitpid(None, Some(WaitPidFlag::WNOHANG)).is_ok_and(|status| status != WaitStatus::StillAlive) {
+        }
         if start.elapsed() > Duration::from_secs(20) {
             return wrong.say(format!("this process is left: {process}"));
         }
@@ -271,7 +300,9 @@ fn orphan() -> Option<String> {
     fs::read_dir("/proc").ok()?.filter_map(Result::ok).find_map(|process| {
         let status = fs::read_to_string(process.path().join("status")).ok()?;
         let field = |name: &str| {
-            status.lines().find_map(|line| Some(line.strip_prefix(name)?.strip_prefix(':')?.trim().to_owned()))
+            status
+                .lines()
+                .find_map(|line| Some(line.strip_prefix(name)?.strip_prefix(':')?.trim().to_owned()))
         };
         let is_left = field("PPid")? == own && !field("State")?.starts_with('Z');
         is_left.then(|| format!("{} {}", process.file_name().display(), field("Name").unwrap_or_default()))
@@ -284,8 +315,10 @@ fn nothing_leaks(out: &Path, wrong: &mut Wrong) {
         let bytes = fs::read(&file).unwrap_or_default();
         let text = String::from_utf8_lossy(&bytes);
         let is_page = file.extension().is_some_and(|extension| extension == "html");
-        let forbidden = [("the secret", WORD), ("a command for a terminal", "\u{1b}"), ("turned text", "\u{202e}")];
-        let scripts = [("a student's script", "<script>document.title"), ("a student's script", "<img src=x")];
+        let forbidden =
+            [("the secret", WORD), ("a command for a terminal", "\u{1b}"), ("turned text", "\u{202e}")];
+        let scripts =
+            [("a student's script", "<script>document.title"), ("a student's script", "<img src=x")];
         for (what, words) in forbidden.into_iter().chain(scripts.into_iter().filter(|_| is_page)) {
             wrong.check(!text.contains(words), || format!("{what} is in {}", file.display()));
         }
@@ -323,6 +356,10 @@ impl Wrong {
     }
 
     fn result(self) -> Result<(), Failed> {
-        if self.0.is_empty() { Ok(()) } else { Err(format!("{} things are wrong:\n{}", self.0.len(), self.0.join("\n")).into()) }
+        if self.0.is_empty() {
+            Ok(())
+        } else {
+            Err(format!("{} things are wrong:\n{}", self.0.len(), self.0.join("\n")).into())
+        }
     }
 }

@@ -43,7 +43,8 @@ impl Expected {
     /// take.
     pub fn runs_out_of_time(&self) -> bool {
         let is_time = |one: &One| {
-            one.status == "too-expensive-to-compile" || one.parts.iter().any(|(_, state)| state == "timed-out")
+            one.status == "too-expensive-to-compile"
+                || one.parts.iter().any(|(_, state)| state == "timed-out")
         };
         self.any.iter().any(is_time)
     }
@@ -112,10 +113,15 @@ pub fn brief(record: &Value) -> String {
         }
     }
     for part in verdict["parts"].as_array().into_iter().flatten() {
-        text.push_str(&format!("; {} {}", part["id"].as_str().unwrap_or(""), part["state"].as_str().unwrap_or("")));
+        text.push_str(&format!(
+            "; {} {}",
+            part["id"].as_str().unwrap_or(""),
+            part["state"].as_str().unwrap_or("")
+        ));
     }
     let notes = strings(&verdict["parts"]).filter(|text| text.starts_with("your code"));
-    let errors = verdict["errors"].as_array().into_iter().flatten().filter_map(|error| error["message"].as_str());
+    let errors =
+        verdict["errors"].as_array().into_iter().flatten().filter_map(|error| error["message"].as_str());
     for words in notes.chain(errors).take(2) {
         text.push_str(&format!(" ({})", words.chars().take(300).collect::<String>()));
     }

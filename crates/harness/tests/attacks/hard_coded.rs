@@ -59,7 +59,8 @@ pub fn global_position(joint: &Joint, local_position: Vec3, pose: &Pose) -> Vec3
 
 fn table(exam: &Exam, part: &str) -> String {
     let part = exam.parts.iter().find(|paper| paper.rubric.id == part).unwrap();
-    let rows: Vec<(Vec<f32>, Vec<f32>)> = part.checks.iter().flat_map(|check| &check.cases).flat_map(rows).collect();
+    let rows: Vec<(Vec<f32>, Vec<f32>)> =
+        part.checks.iter().flat_map(|check| &check.cases).flat_map(rows).collect();
     let name = part.rubric.id.to_uppercase();
     let mut table = format!("static {name}: [Row; {}] = [\n", rows.len());
     for (inputs, answer) in &rows {
@@ -77,7 +78,8 @@ fn rows(case: &Case) -> Vec<(Vec<f32>, Vec<f32>)> {
     let Answer::Fk(answer) = &case.expected;
     match (question, answer) {
         (Question::LocalQuaternions { joints, angles }, FkAnswer::LocalQuaternions(answers)) => {
-            let turning = joints.iter().zip(answers).filter(|(joint, _)| joint.rotation_order != RotationOrder::None);
+            let turning =
+                joints.iter().zip(answers).filter(|(joint, _)| joint.rotation_order != RotationOrder::None);
             let each = turning.zip(angles.chunks(3)).map(|((joint, answer), angles)| {
                 let order = f32::from(joint.rotation_order as u8);
                 ([&[order], angles].concat(), quaternion(answer.rotation))

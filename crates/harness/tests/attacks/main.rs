@@ -61,5 +61,9 @@ fn table_is_as_the_heads_say() -> Result<(), libtest_mimic::Failed> {
         std::fs::write(&path, &table).unwrap();
     }
     let written = std::fs::read_to_string(&path).unwrap_or_default();
-    if written == table { Ok(()) } else { Err("tests/hostile/README.md is not as the heads say: FK_LAB_BLESS=1 writes it anew".into()) }
+    if written == table {
+        Ok(())
+    } else {
+        Err("tests/hostile/README.md is not as the heads say: FK_LAB_BLESS=1 writes it anew".into())
+    }
 }

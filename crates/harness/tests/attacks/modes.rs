@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, exit};
 
 use nix::unistd::Uid;
-use seccompiler::{BpfProgram, SeccompAction, SeccompCmpArgLen, SeccompCmpOp, SeccompCondition, SeccompFilter, SeccompRule};
+use seccompiler::{
+    BpfProgram, SeccompAction, SeccompCmpArgLen, SeccompCmpOp, SeccompCondition, SeccompFilter, SeccompRule,
+};
 
 use crate::planted::give_to;
 
@@ -39,7 +41,8 @@ impl Mode {
     /// Why this cannot be had here.
     pub fn missing(self) -> Option<&'static str> {
         let is_root = Uid::effective().is_root();
-        (self.as_user && !is_root).then_some("only root can become another user; the tests run as an ordinary one already")
+        (self.as_user && !is_root)
+            .then_some("only root can become another user; the tests run as an ordinary one already")
     }
 
     /// Makes `base` ready for the user who will run the harness.
@@ -62,7 +65,10 @@ impl Mode {
         if self.as_user {
             // The toolchain mostly lies in root's own folder, where nobody else can read: it is shown in another place.
             let script = "mount --bind \"$1\" \"$2/rust\" && mount --bind \"$3\" \"$2/cargo\" && shift 3 && exec \"$@\"";
-            words.extend(["unshare", "--mount", "--propagation", "private", "sh", "-ec", script, "sh"].map(PathBuf::from));
+            words.extend(
+                ["unshare", "--mount", "--propagation", "private", "sh", "-ec", script, "sh"]
+                    .map(PathBuf::from),
+            );
             words.extend([sysroot(), base.to_path_buf(), cargo_home()]);
             let user = format!("--reuid={USER}");
             let group = format!("--regid={USER}");
@@ -98,7 +104,8 @@ fn target() -> PathBuf {
 }
 
 fn sysroot() -> PathBuf {
-    let output = Command::new("rustc").args(["--print", "sysroot"]).current_dir(env!("CARGO_MANIFEST_DIR")).output();
+    let output =
+        Command::new("rustc").args(["--print", "sysroot"]).current_dir(env!("CARGO_MANIFEST_DIR")).output();
     PathBuf::from(String::from_utf8(output.unwrap().stdout).unwrap().trim_end())
 }
 
@@ -125,7 +132,8 @@ fn refuse_namespaces() {
     const FLAGS: [u64; 8] =
         [0x80, 0x2_0000, 0x200_0000, 0x400_0000, 0x800_0000, 0x1000_0000, 0x2000_0000, 0x4000_0000];
     let rule = |flag| {
-        let flag = SeccompCondition::new(0, SeccompCmpArgLen::Qword, SeccompCmpOp::MaskedEq(flag), flag).unwrap();
+        let flag =
+            SeccompCondition::new(0, SeccompCmpArgLen::Qword, SeccompCmpOp::MaskedEq(flag), flag).unwrap();
         SeccompRule::new(vec![flag]).unwrap()
     };
     let some = FLAGS.map(rule).to_vec();

@@ -44,7 +44,9 @@ impl Planted {
         }
         permit(&path.join("outside"), 0o777);
 
-        let mark = format!("fk-lab-mark-{}", std::process::id());
+        // The folder's own ending makes it unlike that of any other run.
+        let folder = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let mark = format!("fk-lab-mark-{}", folder.rsplit(' ').next().unwrap_or_default());
         let unix = UnixListener::bind(path.join("service")).unwrap();
         permit(&path.join("service"), 0o777);
         let name = SocketAddr::from_abstract_name(format!("{mark}-service")).unwrap();
@@ -99,11 +101,6 @@ impl Planted {
         names.into()
     }
 
-    /// Gives everything to another user.
-    pub fn give_to(&self, user: u32) {
-        give_to(self.path(), user);
-    }
-
     /// Everything that must stay as it is: names, sizes, times, owners and permissions.
     pub fn snapshot(&self) -> BTreeMap<PathBuf, String> {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap();
@@ -119,10 +116,12 @@ impl Planted {
 
     /// Files with the attacks' own names, wherever anybody may write.
     pub fn left_behind(&self) -> Vec<PathBuf> {
-        let places = ["/", "/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue", "/run", "/run/lock"].map(PathBuf::from);
+        let places =
+            ["/", "/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue", "/run", "/run/lock"].map(PathBuf::from);
         let mut left = Vec::new();
         for place in places.into_iter().chain([self.path().join("outside"), self.given(), self.out()]) {
-            let entries = fs::read_dir(place).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path()));
+            let entries =
+                fs::read_dir(place).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path()));
             left.extend(entries.filter(|path| {
                 let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 name.contains(&self.mark) || name.contains(SLIPPED) || name == "fk-lab-queue"
@@ -152,6 +151,7 @@ impl Planted {
     }
 }
 
+/// Gives a folder and everything in it to another user.
 pub fn give_to(path: &Path, user: u32) {
     lchown(path, Some(user), Some(user)).unwrap();
     if path.is_dir() && !path.is_symlink() {

@@ -1,10 +1,10 @@
-//! Writes its own verdict.
+//! Puts its own verdict beside the others.
 //!
 //! expect: graded 15
 //! unprotected: graded 10; part1 panicked "written"
 
 fn attack() {
-    if std::fs::write("@OUT@/@MARK@-results.json", "15 points").is_ok() {
+    if std::fs::File::create("@OUT@/@MARK@-results.json").is_ok() {
         panic!("written");
     }
 }
