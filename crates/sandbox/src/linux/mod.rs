@@ -23,12 +23,14 @@ pub use offers::offers;
 
 use cgroup::Cgroups;
 use namespaces::Namespaces;
+use user::Users;
 
 /// What is set up once and used by every program.
 #[derive(Default)]
 pub struct Resources {
     namespaces: Option<Namespaces>,
     cgroups: Option<Cgroups>,
+    users: Option<Users>,
     tasks: Option<u64>,
 }
 
@@ -39,7 +41,8 @@ impl Resources {
         Ok(Resources {
             namespaces: layers.namespaces.then(|| Namespaces::open(launcher)).transpose()?,
             cgroups: layers.cgroup.then(|| Cgroups::open(waiting)).transpose()?,
-            tasks: if layers.namespaces { None } else { user::task_limit() },
+            users: layers.own_user.then(Users::pick),
+            tasks: (!layers.namespaces).then(user::task_limit),
         })
     }
 
@@ -53,8 +56,8 @@ impl Resources {
         if let Some(cgroups) = &self.cgroups {
             spec.join_cgroups(&cgroups.files(slot, &confinement.limits)?);
         }
-        if layers.own_user {
-            let user = user::of_slot(slot)?;
+        if let Some(users) = &self.users {
+            let user = users.of_slot(slot)?;
             user::give_folder(confinement, user, layers.namespaces)?;
             spec.user = Some(user);
             spec.tasks = Some(threads);

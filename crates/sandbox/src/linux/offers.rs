@@ -65,6 +65,9 @@ fn remedy(layer: Layer) -> Option<String> {
         Layer::Namespaces => {
             "It needs Linux 5.12 with user namespaces. In a container they are often refused: run on the host, or as root with the right to mount."
         }
+        Layer::OwnUser if is_root && !has_all_users() => {
+            "This container has too few user numbers: it runs without root on its host. Run it as root, or without a container."
+        }
         Layer::OwnUser if is_root => {
             "Put the Rust toolchain and the folders in question where others may enter them (for example below /opt, mode 755), or allow namespaces."
         }
@@ -80,6 +83,12 @@ fn remedy(layer: Layer) -> Option<String> {
         Layer::Limits => "Every Linux has these. Look for what refuses to start the program itself.",
     };
     Some(text.to_owned())
+}
+
+/// Whether this is no user namespace, or one with all users.
+fn has_all_users() -> bool {
+    let map = fs::read_to_string("/proc/self/uid_map").unwrap_or_default();
+    map.split_whitespace().eq(["0", "0", "4294967295"])
 }
 
 fn is_on(name: &str, value: &str) -> bool {

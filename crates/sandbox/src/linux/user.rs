@@ -1,14 +1,17 @@
 //! An unprivileged user per slot.
 
+use std::hash::{BuildHasher, RandomState};
+use std::ops::Range;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use crate::Confinement;
 
-/// The first slot's user and group. No distribution gives out 61000 to 61183 (systemd's table of user numbers).
-const FIRST: u32 = 61_000;
-const COUNT: u32 = 184;
+/// Numbers that no system gives to users, groups or containers (systemd's "Users, Groups, UIDs and GIDs").
+const FREE: Range<u32> = 0x7000_0000..0x7ff0_0000;
+/// Slots of one sandbox.
+const SLOTS: u32 = 256;
 
 /// Where tasks can only be counted together with all others of the same user: so many more than run already. More than
 /// any honest program starts, fewer than any system has room for.
@@ -18,12 +21,27 @@ pub fn is_root() -> bool {
     nix::unistd::geteuid().is_root()
 }
 
-pub fn of_slot(slot: u32) -> io::Result<u32> {
-    if slot < COUNT {
-        return Ok(FIRST + slot);
+/// The users of one sandbox. The kernel counts a user's tasks on the whole machine, containers included, and two
+/// sandboxes must not count each other's: each picks its numbers at random.
+pub struct Users {
+    first: u32,
+}
+
+impl Users {
+    pub fn pick() -> Users {
+        let sandboxes = u64::from((FREE.end - FREE.start) / SLOTS);
+        let number = RandomState::new().hash_one(0) % sandboxes;
+        Users { first: FREE.start + u32::try_from(number).unwrap_or(0) * SLOTS }
     }
-    let text = format!("slot {slot}: there are users for {COUNT} slots");
-    Err(io::Error::new(io::ErrorKind::InvalidInput, text))
+
+    /// The number of the user, and of its group.
+    pub fn of_slot(&self, slot: u32) -> io::Result<u32> {
+        if slot < SLOTS {
+            return Ok(self.first + slot);
+        }
+        let text = format!("slot {slot}: there are {SLOTS}");
+        Err(io::Error::new(io::ErrorKind::InvalidInput, text))
+    }
 }
 
 /// Gives `confinement`'s folder, but not what is in it, to `user`, and shuts it to all others.
@@ -56,9 +74,9 @@ fn lets_in(folder: &Path) -> bool {
 }
 
 /// How many tasks this user may have so that a program cannot start tasks without end, although all of the user's tasks
-/// count. `None` for root, to whom the limit does not apply.
-pub fn task_limit() -> Option<u64> {
-    if is_root() { None } else { Some(tasks().unwrap_or(0) + HEADROOM) }
+/// count. The system's root is exempt from it.
+pub fn task_limit() -> u64 {
+    tasks().unwrap_or(0) + HEADROOM
 }
 
 fn tasks() -> io::Result<u64> {
