@@ -199,7 +199,7 @@ impl<'a> Masker<'a> {
         out
     }
 
-    /// What the student wrote is also searched for each word of the name.
+    /// What may hold words of the student's is also searched for each word of the name.
     fn own(&self, index: usize, text: &str) -> String {
         let text = self.anybody(text);
         let words = &self.words[index];
@@ -242,11 +242,11 @@ impl<'a> Masker<'a> {
         match &mut verdict {
             Verdict::Graded { parts, whole, .. } => {
                 for check in parts.iter_mut().flat_map(|part| &mut part.checks) {
-                    check.note = self.anybody(&check.note);
+                    own(&mut check.note);
                     own(&mut check.private_note);
                 }
                 if let Some(whole) = whole {
-                    whole.note = self.anybody(&whole.note);
+                    own(&mut whole.note);
                 }
             }
             Verdict::DoesNotCompile { errors, .. } => {
@@ -255,7 +255,10 @@ impl<'a> Masker<'a> {
                     own(&mut error.text);
                 }
             }
-            Verdict::TooExpensiveToCompile { text, .. } => own(text),
+            Verdict::TooExpensiveToCompile { limit, text } => {
+                own(limit);
+                own(text);
+            }
             Verdict::Rejected { why, .. } => own(why),
             Verdict::HarnessError { what } => own(what),
             Verdict::Missing => {}
@@ -269,7 +272,7 @@ impl<'a> Masker<'a> {
             file: String::new(),
             marked_late: record.marked_late,
             remarks: record.remarks.iter().map(|remark| self.own(index, remark)).collect(),
-            sandbox: record.sandbox.clone(),
+            sandbox: self.anybody(&record.sandbox),
             verdict,
         }
     }

@@ -57,3 +57,40 @@ pub(crate) fn make_folder(path: &Path) -> Result<(), Error> {
 pub(crate) fn scratch(folder: &Path) -> Result<File, Error> {
     tempfile::tempfile_in(folder).map_err(Error::write(folder))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_disk_leaves_the_old_file_and_nothing_half_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("grades.csv");
+        fs::write(&path, "old").unwrap();
+        let trouble = write_whole(&path, Readers::Usual, |file| {
+            file.write_all(&vec![b'x'; 1 << 20])?;
+            Err(io::Error::from(io::ErrorKind::StorageFull).into())
+        });
+        let words = trouble.unwrap_err().to_string();
+        assert!(words.contains("grades.csv") && words.contains("no storage space"), "{words}");
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_key_is_for_its_owner_only() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let mode = |name: &str, readers| {
+            let path = folder.path().join(name);
+            write_whole(&path, readers, |file| Ok(file.write_all(b"x")?)).unwrap();
+            fs::metadata(&path).unwrap().permissions().mode() & 0o777
+        };
+        assert_eq!(mode("key.csv", Readers::Owner), 0o600);
+        let plain = folder.path().join("plain");
+        fs::write(&plain, "x").unwrap();
+        let usual = fs::metadata(&plain).unwrap().permissions().mode() & 0o777;
+        assert_eq!(mode("grades.csv", Readers::Usual), usual);
+    }
+}

@@ -32,7 +32,7 @@ pub(crate) fn write(file: &mut dyn Write, book: &Book<'_>, attention: &[Attentio
     write!(file, "{}", rows::START)?;
     write!(file, "{}", rows::head(book, &statistics).0)?;
     book.each(|entry, record| -> Filled {
-        Ok(writeln!(file, "{}", rows::row(book, entry, record, &view).0)?)
+        Ok(writeln!(file, "{}", rows::row(book, &statistics, entry, record, &view).0)?)
     })?;
     write!(file, "{}", rows::END)?;
     write!(file, "{}", overview::bottom(book).0)?;

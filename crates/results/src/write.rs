@@ -6,7 +6,7 @@ use crate::book::Book;
 use crate::files::{Readers, make_folder, write_whole};
 use crate::text::count;
 use crate::{
-    Error, Flag, Group, LateList, Overrides, Points, Records, Roster, RunInfo, Standing, anonymous, feedback,
+    Error, Flag, Group, LateList, Overrides, Records, Roster, RunInfo, Standing, anonymous, feedback,
     gradebook, grades, json, junit, report,
 };
 
@@ -201,9 +201,4 @@ fn refuse_the_other_kind(out: &Path, anonymous: bool) -> Result<(), Error> {
         return Err(Error::Options(what));
     }
     Ok(())
-}
-
-/// The points of every entry that has any, in the entries' order.
-pub(crate) fn all_points(book: &Book<'_>) -> Vec<Points> {
-    book.entries.iter().filter_map(|entry| entry.mark.points).collect()
 }

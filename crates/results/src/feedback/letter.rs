@@ -94,7 +94,7 @@ fn opening(run: &RunInfo, record: &Record) -> Vec<Block> {
             let all = parts.iter().all(|part| part.state == PartState::Right);
             let begun = parts.iter().any(|part| part.state != PartState::NotStarted);
             let words = match (all, begun) {
-                (true, _) => "Everything is right. Well done!",
+                (true, _) => "Every check is right. Well done!",
                 (false, true) => {
                     "Each part was checked by itself, so that a mistake in one costs nothing in another. \
                      Here is what each check found."
@@ -200,7 +200,9 @@ fn how_points_came_about(mark: &Mark) -> Vec<Block> {
 }
 
 fn part_section(info: &PartInfo, part: &PartResult, points: Option<Points>) -> Section {
-    let points = points.unwrap_or_else(|| Points::whole(part.points));
+    let checked = Points::whole(part.points);
+    let points = points.unwrap_or(checked);
+    let state = if points == checked { part.state.name() } else { "changed by hand" };
     let heading =
         format!("{}: `{}`, {points} of {} points, {}", info.id, info.function, part.of, part.state.name());
     let mut blocks = Vec::new();

@@ -46,9 +46,18 @@ impl Table {
             .delimiter(delimiter)
             .from_reader(text.as_bytes());
         let mut rows = Vec::new();
+        let (mut line, mut counted) = (1, 0);
         for record in reader.records() {
             let record = record.map_err(|trouble| Error::input(path, None, trouble.to_string()))?;
-            let line = record.position().map_or(0, csv::Position::line);
+            // The position may be that of blank lines before.
+            let start = record.position().map_or(0, |position| position.byte() as usize);
+            while let Some(byte) = text.as_bytes().get(counted) {
+                if counted >= start && !matches!(byte, b'\r' | b'\n') {
+                    break;
+                }
+                line += u64::from(*byte == b'\n');
+                counted += 1;
+            }
             rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
         }
         if rows.is_empty() {

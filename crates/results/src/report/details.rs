@@ -2,13 +2,27 @@
 
 use maud::{Markup, html};
 
+use super::figure::View;
 use super::rows::sentence;
 use crate::book::{Book, Entry};
 use crate::grades::{flags, reason};
 use crate::page::{prose, state_mark, their_block, theirs};
 use crate::{CheckResult, Mark, PartInfo, PartResult, Points, Record, Verdict};
 
-pub(super) fn details(book: &Book<'_>, entry: &Entry, record: &Record) -> Markup {
+pub(super) fn details(book: &Book<'_>, entry: &Entry, record: &Record, view: &View) -> Markup {
+    let picture = match &record.verdict {
+        Verdict::Graded { picture, .. } => picture.as_ref(),
+        _ => None,
+    };
+    html! {
+        div.beside {
+            div { (words(book, entry, record)) (file(entry, record)) }
+            @if let Some(picture) = picture { (view.side_by_side(picture)) }
+        }
+    }
+}
+
+fn words(book: &Book<'_>, entry: &Entry, record: &Record) -> Markup {
     html! {
         (how_points_came_about(&entry.mark))
         @match &record.verdict {
@@ -42,7 +56,6 @@ pub(super) fn details(book: &Book<'_>, entry: &Entry, record: &Record) -> Markup
                 (their_block(what))
             }
         }
-        (file(entry, record))
     }
 }
 

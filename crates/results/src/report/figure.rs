@@ -17,6 +17,7 @@ pub(super) struct View {
 /// A drawing is this wide and high.
 const WIDTH: f64 = 72.0;
 const HEIGHT: f64 = 96.0;
+const VIEW_BOX: &str = "0 0 72 96";
 /// So much of it is left free around the reference.
 const MARGIN: f64 = 12.0;
 /// Nothing is drawn farther out than this many times the drawing.
@@ -86,39 +87,67 @@ impl View {
     }
 
     /// The student's pose over the reference's.
-    pub fn draw(&self, picture: &Picture) -> Markup {
-        let own;
-        let view = if self.reference.is_some() {
-            self
-        } else {
-            let mut fitted = View { center: [0.0; 2], scale: 1.0, reference: None };
-            fitted.fit(picture);
-            own = fitted;
-            &own
-        };
-        let Lines { path, undrawn } = view.lines(picture);
-        let same = self.reference.as_ref() == Some(&path);
-        let label = match (same, undrawn, path.is_empty()) {
-            (true, ..) => "Pose: like the reference's".to_owned(),
-            (_, _, true) => "Pose: cannot be drawn".to_owned(),
-            (_, 0, _) => "Pose: the student's over the reference's".to_owned(),
-            (_, undrawn, _) => format!("Pose: {undrawn} of {} joints cannot be drawn", picture.points.len()),
-        };
+    pub fn small(&self, picture: &Picture) -> Markup {
+        let drawing = self.drawing(picture);
         html! {
-            svg.pose viewBox={ "0 0 " (WIDTH) " " (HEIGHT) } width=(WIDTH) height=(HEIGHT) role="img" aria-label=(label) {
-                title { (label) }
-                @if self.reference.is_some() { use href="#goal" class="goal" {} }
-                @if same {
-                    use href="#goal" class="own" {}
-                } @else if !path.is_empty() {
-                    path.own d=(path) {}
+            svg.pose viewBox=(VIEW_BOX) width="45" height="60" role="img" aria-label=(drawing.words) {
+                title { (drawing.words) }
+                @if self.reference.is_some() { use.goal href="#goal" {} }
+                (drawing.lines)
+            }
+        }
+    }
+
+    /// The reference's pose and the student's, larger.
+    pub fn side_by_side(&self, picture: &Picture) -> Markup {
+        let drawing = self.drawing(picture);
+        html! {
+            div.poses {
+                @if self.reference.is_some() {
+                    figure {
+                        svg.pose viewBox=(VIEW_BOX) width="144" height="192" aria-hidden="true" { use.own href="#goal" {} }
+                        figcaption { "the reference" }
+                    }
                 }
-                @if undrawn > 0 {
-                    text x="4" y="14" { "not all" }
+                figure {
+                    svg.pose viewBox=(VIEW_BOX) width="144" height="192" aria-hidden="true" { (drawing.lines) }
+                    figcaption { (drawing.words) }
                 }
             }
         }
     }
+
+    fn drawing(&self, picture: &Picture) -> Drawing {
+        let mut own = View { center: [0.0; 2], scale: 1.0, reference: None };
+        let view = if self.reference.is_some() {
+            self
+        } else {
+            own.fit(picture);
+            &own
+        };
+        let Lines { path, undrawn } = view.lines(picture);
+        let joints = picture.points.len();
+        if self.reference.as_ref() == Some(&path) && undrawn == 0 {
+            let lines = html! { use.own href="#goal" {} };
+            return Drawing { lines, words: "like the reference".to_owned() };
+        }
+        let lines = html! {
+            @if !path.is_empty() { path.own d=(path) {} }
+            @if undrawn > 0 { text x="5" y="16" { (undrawn) "?" } }
+        };
+        let words = match (undrawn, path.is_empty()) {
+            (0, _) => "the student's".to_owned(),
+            (_, true) => "the student's, which cannot be drawn".to_owned(),
+            (_, false) => format!("the student's, of which {undrawn} of {joints} joints cannot be drawn"),
+        };
+        Drawing { lines, words }
+    }
+}
+
+/// The student's part of a picture, and what is to be said of it.
+struct Drawing {
+    lines: Markup,
+    words: String,
 }
 
 struct Lines {

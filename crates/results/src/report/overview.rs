@@ -1,5 +1,7 @@
 //! What stands above the table of students, and below it.
 
+use std::collections::HashMap;
+
 use maud::{Markup, html};
 
 use super::charts::{bar, distribution};
@@ -29,10 +31,12 @@ pub(super) fn top(book: &Book<'_>, statistics: &Statistics, attention: &[Attenti
         main {
             @if !attention.is_empty() { (needs_your_eye(attention)) }
             div.two {
-                section { h2 { "Points" } (distribution(run.points(), statistics)) }
+                div {
+                    section { h2 { "Points" } (distribution(run.points(), statistics)) }
+                    @if !statistics.misconceptions.is_empty() { (misconceptions(book, statistics)) }
+                }
                 section { h2 { "Checks" } (checks(book, statistics)) }
             }
-            @if !statistics.misconceptions.is_empty() { (misconceptions(book, statistics)) }
             @if !book.groups.is_empty() { (similar(book)) }
         }
     }
@@ -119,7 +123,7 @@ fn misconceptions(book: &Book<'_>, statistics: &Statistics) -> Markup {
                 thead {
                     tr {
                         th scope="col" { "The student reads" } th.number scope="col" { "Students" }
-                        th.chart scope="col" { span.unseen { "Share" } } th scope="col" { "Who" }
+                        th.chart scope="col" { span.unseen { "Share" } }
                     }
                 }
                 tbody { @for one in &statistics.misconceptions { (misconception(book, one, most)) } }
@@ -135,18 +139,22 @@ fn misconception(book: &Book<'_>, one: &Misconception, most: usize) -> Markup {
         tr {
             td {
                 (prose(&one.title))
-                span.sub { (book.run.parts[one.part].id) " · " button.find type="button" data-find=(one.id) { code { (one.id) } } }
+                div.sub {
+                    (book.run.parts[one.part].id) " · "
+                    button.find type="button" data-find=(one.id) { code { (one.id) } }
+                    " · " (who(people.iter().map(|(id, name)| (*id, name.as_str()))))
+                }
             }
             td.number { (one.who.len()) }
             td.chart { (bar(one.who.len(), most)) }
-            td { (who(people.iter().map(|(id, name)| (*id, name.as_str())))) }
         }
     }
 }
 
 fn similar(book: &Book<'_>) -> Markup {
-    let name =
-        |id: &String| book.entries.iter().find(|entry| entry.id == *id).map(|entry| entry.shown_name());
+    let names: HashMap<&str, String> =
+        book.entries.iter().map(|entry| (entry.id.as_str(), entry.shown_name())).collect();
+    let name = |id: &String| names.get(id.as_str()).cloned();
     html! {
         section {
             h2 { "Submissions that are alike" }

@@ -1,5 +1,7 @@
 //! The table of all students: a body of two rows for each, what is seen at once and what can be opened.
 
+use std::collections::HashMap;
+
 use maud::{Markup, PreEscaped, html};
 
 use super::details::details;
@@ -12,7 +14,7 @@ use crate::{Flag, Points, Record, Standing, Verdict};
 
 pub(super) const START: &str = r#"<section id="students"><h2>Students</h2>"#;
 pub(super) const END: &str = concat!(
-    "</table></div>",
+    "</table>",
     r#"<p class="more-rows"><button type="button" id="more" hidden>Show more</button></p></section>"#
 );
 
@@ -26,9 +28,16 @@ const STATUSES: [(&str, &str); 6] = [
     ("missing", "missing"),
 ];
 
+/// What else can be filtered for.
+const KINDS: [(&str, &str); 4] =
+    [("eye", "needs your eye"), ("changed", "changed by hand"), ("late", "late"), ("alike", "like others")];
+
 /// The search, the filter and the table's head.
 pub(super) fn head(book: &Book<'_>, statistics: &Statistics) -> Markup {
-    let count = |kind: &str| book.entries.iter().filter(|entry| kinds(entry).contains(&kind)).count();
+    let mut counts: HashMap<&str, usize> = HashMap::new();
+    for kind in book.entries.iter().flat_map(|entry| kinds(entry, statistics)) {
+        *counts.entry(kind).or_default() += 1;
+    }
     let of = book.run.points();
     html! {
         form.tools role="search" {
@@ -40,22 +49,19 @@ pub(super) fn head(book: &Book<'_>, statistics: &Statistics) -> Markup {
                 span { "Show" }
                 select #filter {
                     option value="" { "everybody (" (book.entries.len()) ")" }
-                    @for (code, name) in STATUSES {
-                        @if let Some(count) = statistics.statuses.get(code) {
-                            option value=(code) { (name) " (" (count) ")" }
-                        }
-                    }
-                    @for (kind, name) in [("eye", "needs your eye"), ("changed", "changed by hand"), ("late", "late"), ("alike", "like others")] {
-                        @if count_of(book, kind, &count) > 0 {
-                            option value=(kind) { (name) " (" (count_of(book, kind, &count)) ")" }
+                    @for (kind, name) in STATUSES.into_iter().chain(KINDS) {
+                        @if let Some(count) = counts.get(kind) {
+                            option value=(kind) { (name) " (" (count) ")" }
                         }
                     }
                 }
             }
             p #shown role="status" {}
         }
-        noscript { p.note { "Without its script this page does not sort, search or open details; the folder `feedback` has the details too." } }
-        (PreEscaped(r#"<div class="wide"><table id="all">"#))
+        noscript {
+            p.note { "Without its script this page does not sort, search or open details; the folder `feedback` has most of them." }
+        }
+        (PreEscaped(r#"<table id="all">"#))
         caption.unseen { "All students with their points. The buttons in the head sort." }
         thead {
             tr {
@@ -72,13 +78,6 @@ pub(super) fn head(book: &Book<'_>, statistics: &Statistics) -> Markup {
     }
 }
 
-fn count_of(book: &Book<'_>, kind: &str, count: &dyn Fn(&str) -> usize) -> usize {
-    match kind {
-        "alike" => book.groups.iter().map(|group| group.ids.len()).sum(),
-        _ => count(kind),
-    }
-}
-
 fn column(name: &str, kind: &str, class: &str) -> Markup {
     html! { th scope="col" class=[Some(class).filter(|class| !class.is_empty())] aria-sort="none" { button type="button" data-kind=(kind) { (name) } } }
 }
@@ -89,23 +88,19 @@ fn width(book: &Book<'_>) -> usize {
 }
 
 /// One student.
-pub(super) fn row(book: &Book<'_>, entry: &Entry, record: &Record, view: &View) -> Markup {
+pub(super) fn row(
+    book: &Book<'_>,
+    statistics: &Statistics,
+    entry: &Entry,
+    record: &Record,
+    view: &View,
+) -> Markup {
     let id = &entry.id;
     let mark = &entry.mark;
-    let groups: Vec<usize> = book
-        .groups
-        .iter()
-        .enumerate()
-        .filter(|(_, group)| group.ids.contains(id))
-        .map(|(index, _)| index + 1)
-        .collect();
-    let mut kinds = kinds(entry);
-    if !groups.is_empty() {
-        kinds.push("alike");
-    }
+    let groups = statistics.groups.get(id).map_or(&[][..], Vec::as_slice);
     let status = status(record);
     html! {
-        tbody.one #{ "r-" (id) } data-kinds=(kinds.join(" ")) {
+        tbody.one #{ "r-" (id) } data-kinds=(kinds(entry, statistics).join(" ")) {
             tr {
                 th scope="row" {
                     button.open type="button" aria-expanded="false" aria-controls={ "d-" (id) } { (theirs(&entry.shown_name())) }
@@ -126,17 +121,17 @@ pub(super) fn row(book: &Book<'_>, entry: &Entry, record: &Record, view: &View) 
                 td.remarks {
                     @for one in misconceptions(&record.verdict) { code.chip { (one) } " " }
                     @for words in remarks(entry) { span.chip.trouble { (words) } " " }
-                    @for group in &groups { a.chip href={ "#g-" (group) } { "like others" } " " }
+                    @for group in groups { a.chip href={ "#g-" (group) } { "like others" } " " }
                 }
                 @if book.run.reference_picture.is_some() {
                     td.drawing {
-                        @if let Verdict::Graded { picture: Some(picture), .. } = &record.verdict { (view.draw(picture)) }
+                        @if let Verdict::Graded { picture: Some(picture), .. } = &record.verdict { (view.small(picture)) }
                     }
                 }
             }
             tr.details #{ "d-" (id) } hidden {
                 td colspan=(width(book)) {
-                    script type="text/plain" { (details(book, entry, record)) }
+                    script type="text/plain" { (details(book, entry, record, view)) }
                 }
             }
         }
@@ -144,7 +139,7 @@ pub(super) fn row(book: &Book<'_>, entry: &Entry, record: &Record, view: &View) 
 }
 
 /// What the filter knows of an entry.
-fn kinds(entry: &Entry) -> Vec<&'static str> {
+fn kinds(entry: &Entry, statistics: &Statistics) -> Vec<&'static str> {
     let mark = &entry.mark;
     let mut kinds = vec![entry.code];
     let undecided = |flag: &Flag| match flag {
@@ -160,6 +155,9 @@ fn kinds(entry: &Entry) -> Vec<&'static str> {
     }
     if mark.late.is_some() {
         kinds.push("late");
+    }
+    if statistics.groups.contains_key(&entry.id) {
+        kinds.push("alike");
     }
     kinds
 }

@@ -1,18 +1,20 @@
 //! What is counted over all students.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
-use crate::book::Book;
-use crate::{CheckState, Error, Points, Verdict};
+use crate::book::{Book, Entry};
+use crate::{CheckState, Error, Flag, Points, Standing, Verdict};
 
 pub(super) struct Statistics {
     /// How many there are of each status, by its code.
     pub statuses: BTreeMap<&'static str, usize>,
-    /// The points of all who have any, from few to many.
+    /// The points of all who have any, from few to many. A student's second submission is left out where it does not count.
     pub points: Vec<Points>,
     /// By part and check: in how many graded submissions it is right.
     pub right: Vec<Vec<usize>>,
     pub graded: usize,
+    /// In which groups each id is, from 1.
+    pub groups: HashMap<String, Vec<usize>>,
     /// The misconceptions in the order of the parts, the most frequent first.
     pub misconceptions: Vec<Misconception>,
 }
@@ -31,12 +33,18 @@ impl Statistics {
         let parts = &book.run.parts;
         let mut all = Statistics {
             statuses: BTreeMap::new(),
-            points: crate::write::all_points(book),
+            points: book.entries.iter().filter_map(points_of_student).collect(),
             right: parts.iter().map(|part| vec![0; part.checks.len()]).collect(),
             graded: 0,
+            groups: HashMap::new(),
             misconceptions: Vec::new(),
         };
         all.points.sort_unstable();
+        for (index, group) in book.groups.iter().enumerate() {
+            for id in &group.ids {
+                all.groups.entry(id.clone()).or_default().push(index + 1);
+            }
+        }
         let mut found: BTreeMap<(usize, String), Misconception> = BTreeMap::new();
         let mut index = 0;
         book.each(|entry, record| -> Result<(), Error> {
@@ -77,4 +85,10 @@ impl Statistics {
         let low = if self.points.len().is_multiple_of(2) { self.points[middle - 1].as_f64() } else { high };
         Some(((low + high) * 5.0).round() / 10.0)
     }
+}
+
+fn points_of_student(entry: &Entry) -> Option<Points> {
+    let undecided =
+        |flag: &Flag| matches!(flag, Flag::OtherSubmissions { standing: Standing::Undecided, .. });
+    entry.mark.points.filter(|_| entry.mark.counts || entry.mark.flags.iter().any(undecided))
 }
