@@ -98,7 +98,15 @@ fn behave(attack: &str, arguments: &[&str]) {
                 all.push(vec![1_u8; 1 << 20]);
             }
         }
-        "threads" => threads(),
+        "threads" => {
+            println!("{}", start_threads());
+            let _ = io::stdout().flush();
+            exit(0);
+        }
+        "hold threads" => {
+            start_threads();
+            sleep()
+        }
         "open files" => {
             let path = env::current_exe().unwrap();
             let open: Vec<File> = (0..100_000).map_while(|_| File::open(&path).ok()).collect();
@@ -208,14 +216,16 @@ fn honest(arguments: &[&str]) {
     println!("{sum} {read:?} {} {is_own}", env::var("GIVEN").unwrap());
 }
 
-fn threads() {
+/// As many as it can have, the first one included. They never end.
+fn start_threads() -> u32 {
+    let park = || loop {
+        thread::park();
+    };
     let mut count = 1;
-    while count < 20_000 && thread::Builder::new().stack_size(16 * 1024).spawn(sleep).is_ok() {
+    while count < 20_000 && thread::Builder::new().stack_size(16 * 1024).spawn(park).is_ok() {
         count += 1;
     }
-    println!("{count}");
-    let _ = io::stdout().flush();
-    exit(0);
+    count
 }
 
 #[allow(unconditional_recursion)] // That is the point.

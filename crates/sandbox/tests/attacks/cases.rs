@@ -11,6 +11,7 @@ use std::{env, fs, thread};
 
 use sandbox::{Confinement, Layer, Layers, Sandbox};
 
+use crate::attacker::REFUSED;
 use crate::judge::{HARNESS, SECRET, Scene, text};
 use crate::{exhausted, refused};
 
@@ -40,6 +41,7 @@ const CASES: &[Case] = &[
     ("time by the clock", exhausted::clock),
     ("floods of output", exhausted::floods),
     ("the disk", exhausted::disk),
+    ("neighbours", neighbours),
     ("killing it ends everything", killed),
     ("it ends with its harness", harness_killed),
     ("trouble of the jail is told apart", trouble),
@@ -78,6 +80,27 @@ fn environment(scene: &Scene) {
     let finished = scene.run("environment", &[]);
     let program = env::current_exe().unwrap();
     assert_eq!(text(&finished), format!("GIVEN=yes\n{}\nattacker\nenvironment\n", program.display()));
+}
+
+/// A program that holds all that it can get does not take it from others, nor do they see its files.
+fn neighbours(scene: &Scene) {
+    let mut hog =
+        scene.command("hold threads", &[]).stdin(Stdio::null()).stdout(Stdio::piped()).spawn().unwrap();
+    let output = wait_until_asleep(hog.stdout.take().unwrap());
+    let confinement = Confinement { folder: None, ..scene.confinement.clone() };
+    let other = scene.mode.sandbox().unwrap();
+    for (sandbox, slot) in [(&scene.sandbox, 2), (&other, 1)] {
+        if scene.counts_threads() {
+            let finished = scene.run_in(sandbox, slot, &confinement, "honest", &[]);
+            assert!(finished.status.unwrap().success(), "{}", text(&finished));
+        }
+        let file = scene.path("folder/here");
+        let finished = scene.run_in(sandbox, slot, &confinement, "read", &[file.to_str().unwrap()]);
+        assert!(finished.stdout.starts_with(REFUSED.as_bytes()), "{}", text(&finished));
+    }
+    hog.kill().unwrap();
+    hog.wait().unwrap();
+    ends(output);
 }
 
 fn killed(scene: &Scene) {

@@ -4,7 +4,7 @@ use std::fs;
 use std::os::unix::process::ExitStatusExt;
 use std::time::Duration;
 
-use sandbox::{Confinement, Layer, Limit, Limits};
+use sandbox::{Confinement, Limit, Limits};
 
 use crate::judge::{MIB, Scene, text};
 
@@ -17,12 +17,9 @@ pub fn threads(scene: &Scene) {
     // Enough memory for many.
     let limits = Limits { memory: 16 << 30, ..scene.confinement.limits };
     let finished = scene.run_as(&Confinement { limits, ..scene.confinement.clone() }, "threads", &[]);
-    let said = text(&finished);
-    let count: u32 = said.lines().find_map(|line| line.parse().ok()).unwrap();
-    let are_counted =
-        [Layer::Namespaces, Layer::OwnUser, Layer::Cgroup].into_iter().any(|layer| scene.has(layer));
+    let count: u32 = text(&finished).trim().parse().unwrap();
     // Together with all others of the same user, an exact number would mean nothing.
-    let most = if are_counted { limits.threads } else { 5000 };
+    let most = if scene.counts_threads() { limits.threads } else { 5000 };
     assert!((8..=most).contains(&count), "{count}");
 }
 

@@ -103,10 +103,21 @@ impl Scene {
     }
 
     pub fn run_as(&self, confinement: &Confinement, attack: &str, arguments: &[&str]) -> Finished {
+        self.run_in(&self.sandbox, 1, confinement, attack, arguments)
+    }
+
+    pub fn run_in(
+        &self,
+        sandbox: &Sandbox,
+        slot: u32,
+        confinement: &Confinement,
+        attack: &str,
+        arguments: &[&str],
+    ) -> Finished {
         let words = [attacker::ROLE, attack].into_iter().chain(arguments.iter().copied());
         let words: Vec<OsString> = words.map(OsString::from).collect();
         let program = env::current_exe().unwrap();
-        let finished = self.sandbox.run(1, confinement, &program, &words).unwrap();
+        let finished = sandbox.run(slot, confinement, &program, &words).unwrap();
         let output = [&finished.stdout[..], &finished.stderr[..]].concat();
         assert!(!String::from_utf8_lossy(&output).contains(SECRET), "the secret got out");
         finished
@@ -124,6 +135,11 @@ impl Scene {
         let said = text(&finished);
         let is_refused = finished.stdout.starts_with(attacker::REFUSED.as_bytes());
         assert!(is_refused && finished.status.unwrap().success(), "{:?}: {said}", finished.status);
+    }
+
+    /// Whether a program's threads are counted apart from those of others.
+    pub fn counts_threads(&self) -> bool {
+        [Layer::Namespaces, Layer::OwnUser, Layer::Cgroup].into_iter().any(|layer| self.has(layer))
     }
 
     pub fn has(&self, layer: Layer) -> bool {
