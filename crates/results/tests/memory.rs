@@ -19,8 +19,8 @@ fn of_each_record_only_a_small_row_is_kept() {
             write_class(folder.path(), count, &Options { anonymous, ..Options::default() });
             MEMORY.peak_usage()
         };
-        let (few, many) = (peak(200), peak(2_000));
-        let each = many.saturating_sub(few) / 1_800;
+        let (few, many) = (peak(100), peak(700));
+        let each = many.saturating_sub(few) / 600;
         // A record alone takes ten times as much.
         assert!(each < 2_500, "{each} bytes for each record (anonymous: {anonymous})");
     }

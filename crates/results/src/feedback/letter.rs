@@ -203,8 +203,7 @@ fn part_section(info: &PartInfo, part: &PartResult, points: Option<Points>) -> S
     let checked = Points::whole(part.points);
     let points = points.unwrap_or(checked);
     let state = if points == checked { part.state.name() } else { "changed by hand" };
-    let heading =
-        format!("{}: `{}`, {points} of {} points, {}", info.id, info.function, part.of, part.state.name());
+    let heading = format!("{}: `{}`, {points} of {} points, {state}", info.id, info.function, part.of);
     let mut blocks = Vec::new();
     if part.state == PartState::NotStarted {
         blocks.push(Block::Text(vec![ours(
