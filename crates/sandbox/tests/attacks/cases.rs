@@ -1,5 +1,6 @@
 //! What must become of each attack.
 
+use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::ExitStatusExt;
@@ -9,16 +10,21 @@ use std::sync::mpsc;
 use std::time::Duration;
 use std::{env, fs, thread};
 
-use sandbox::{Confinement, Layer, Layers, Sandbox};
+use sandbox::{Confinement, Layer, Layers, Limits, Sandbox};
 
 use crate::attacker::REFUSED;
-use crate::judge::{HARNESS, SECRET, Scene, text};
+use crate::judge::{HARNESS, MIB, SECRET, Scene, text};
+use crate::modes::TOOLCHAIN;
 use crate::{exhausted, refused};
 
 type Case = (&'static str, fn(&Scene));
 
+/// Needs a toolchain.
+pub const COMPILER: &str = "a compiler and a linker work";
+
 const CASES: &[Case] = &[
     ("an honest program works", honest),
+    (COMPILER, compiler),
     ("without a sandbox the attacks succeed", refused::control),
     ("it ends as the program does", endings),
     ("its environment is what was given", environment),
@@ -64,6 +70,29 @@ fn honest(scene: &Scene) {
     assert!(finished.status.unwrap().success() && finished.limit.is_none());
     assert!(finished.cpu > Duration::ZERO);
     assert_eq!(fs::read_to_string(scene.path("folder/made/copy")).unwrap(), "result");
+}
+
+fn compiler(scene: &Scene) {
+    let sysroot = env::current_exe().unwrap().with_file_name(TOOLCHAIN);
+    let (rustc, linker) = (sysroot.join("bin/rustc"), PathBuf::from("/usr/bin/ld"));
+    let mut confinement = scene.confinement.clone();
+    confinement.read.extend([sysroot, linker.clone()]);
+    confinement.limits = Limits { memory: 3 << 30, threads: 64, file_size: 64 * MIB, ..confinement.limits };
+    fs::write(scene.path("folder/lib.rs"), "#[unsafe(no_mangle)] pub fn answer() -> u32 { 42 }").unwrap();
+    let run = |program: &PathBuf, words: &[&str]| {
+        let words: Vec<OsString> = words.iter().map(OsString::from).collect();
+        let finished = scene.sandbox.run(1, &confinement, program, &words).unwrap();
+        assert!(finished.status.unwrap().success(), "{:?}: {}", finished.status, text(&finished));
+    };
+    run(&rustc, &["--crate-type=lib", "--emit=obj", "lib.rs", "-o", "lib.o"]);
+    run(&linker, &["-shared", "lib.o", "-o", "lib.so"]);
+    assert!(fs::read(scene.path("folder/lib.so")).unwrap().starts_with(b"\x7fELF"));
+    // Nothing that a source names is there but what is given.
+    let secret = scene.secret();
+    fs::write(scene.path("folder/spy.rs"), format!("const _: &str = include_str!({secret:?});")).unwrap();
+    let words = ["--crate-type=lib", "--emit=obj", "spy.rs"].map(OsString::from);
+    let finished = scene.sandbox.run(1, &confinement, &rustc, &words).unwrap();
+    assert!(!text(&finished).contains(SECRET) && finished.status.unwrap().code() == Some(1));
 }
 
 fn endings(scene: &Scene) {
