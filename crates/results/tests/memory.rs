@@ -12,7 +12,8 @@ static MEMORY: PeakAlloc = PeakAlloc;
 
 #[test]
 fn of_each_record_only_a_small_row_is_kept() {
-    for anonymous in [false, true] {
+    // The names of all are searched for in the texts of all: that takes more.
+    for (anonymous, most) in [(false, 1_500), (true, 4_000)] {
         let peak = |count| {
             let folder = tempfile::tempdir().unwrap();
             MEMORY.reset_peak_usage();
@@ -21,7 +22,6 @@ fn of_each_record_only_a_small_row_is_kept() {
         };
         let (few, many) = (peak(100), peak(700));
         let each = many.saturating_sub(few) / 600;
-        // A record alone takes ten times as much.
-        assert!(each < 2_500, "{each} bytes for each record (anonymous: {anonymous})");
+        assert!(each < most, "{each} bytes for each record (anonymous: {anonymous})");
     }
 }
