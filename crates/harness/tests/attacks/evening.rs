@@ -7,7 +7,6 @@ use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
 use libtest_mimic::Failed;
-use nix::sys::wait::{WaitPidFlag, WaitStatus, waitpid};
 use serde_json::Value;
 
 use crate::broken::broken;
@@ -16,6 +15,7 @@ use crate::expected::{Expected, brief, points};
 use crate::hard_coded;
 use crate::modes::Mode;
 use crate::planted::{Planted, WORD, files};
+use crate::undertaker::LEFT;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Size {
@@ -87,7 +87,6 @@ pub fn attacked(mode: Mode, size: Size) -> Result<(), Failed> {
     for service in planted.called() {
         wrong.say(format!("the {service} service was called"));
     }
-    processes(&mut wrong);
     nothing_leaks(&planted.out(), &mut wrong);
     sandbox(&planted.out(), mode, &mut wrong);
     let count = u32::try_from(records.len()).unwrap();
@@ -253,6 +252,9 @@ fn grade(mode: Mode, planted: &Planted, more: &[&str]) -> Result<Vec<Value>, Fai
     let text = String::from_utf8_lossy(&stdout).into_owned() + &String::from_utf8_lossy(&stderr);
     let results =
         fs::read(planted.out().join("results.json")).map_err(|error| format!("{error}, {status}: {text}"))?;
+    if let Some(left) = text.lines().find(|line| line.starts_with(LEFT)) {
+        return Err(left.into());
+    }
     if !status.success() {
         println!("{status}: {text}");
     }
@@ -278,35 +280,6 @@ fn verdicts(records: &[Value], handed: &[Handed], wrong: &mut Wrong) {
             Some(record) => wrong.say(format!("{name}: expected {}; got {}", expect.text(), brief(record))),
         }
     }
-}
-
-/// Children of this process that it has not started itself have lost their parents.
-fn processes(wrong: &mut Wrong) {
-    let start = Instant::now();
-    // What is killed takes a moment to go.
-    while let Some(process) = orphan() {
-        // The dead are buried by whom the system gave them to, and a namespace waits for its dead.
-        while waitpid(None, Some(WaitPidFlag::WNOHANG)).is_ok_and(|status| status != WaitStatus::StillAlive) {
-        }
-        if start.elapsed() > Duration::from_secs(20) {
-            return wrong.say(format!("this process is left: {process}"));
-        }
-        std::thread::yield_now();
-    }
-}
-
-fn orphan() -> Option<String> {
-    let own = std::process::id().to_string();
-    fs::read_dir("/proc").ok()?.filter_map(Result::ok).find_map(|process| {
-        let status = fs::read_to_string(process.path().join("status")).ok()?;
-        let field = |name: &str| {
-            status
-                .lines()
-                .find_map(|line| Some(line.strip_prefix(name)?.strip_prefix(':')?.trim().to_owned()))
-        };
-        let is_left = field("PPid")? == own && !field("State")?.starts_with('Z');
-        is_left.then(|| format!("{} {}", process.file_name().display(), field("Name").unwrap_or_default()))
-    })
 }
 
 /// No file that comes out holds the secret, commands for a terminal, or a student's script.

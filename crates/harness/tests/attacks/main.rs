@@ -20,6 +20,8 @@ mod planted;
 #[cfg(target_os = "linux")]
 mod table;
 #[cfg(target_os = "linux")]
+mod undertaker;
+#[cfg(target_os = "linux")]
 mod zip;
 
 #[cfg(not(target_os = "linux"))]
@@ -32,9 +34,8 @@ fn main() {
     use libtest_mimic::{Arguments, Failed, Trial};
     use modes::Mode;
 
+    undertaker::work_if_asked();
     modes::become_refused_if_asked();
-    // What is left of a run becomes a child of this process.
-    nix::sys::prctl::set_child_subreaper(true).unwrap();
     let mut arguments = Arguments::from_args();
     // One evening at a time: what it leaves behind is told by what is new.
     arguments.test_threads = Some(1);

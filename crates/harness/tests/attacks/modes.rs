@@ -12,6 +12,7 @@ use seccompiler::{
 };
 
 use crate::planted::give_to;
+use crate::undertaker;
 
 /// Makes this program one that is refused namespaces, and then the program that its arguments name.
 const REFUSED: &str = "FK_LAB_TEST_WITHOUT_NAMESPACES";
@@ -61,7 +62,7 @@ impl Mode {
 
     /// The harness, in this mode.
     pub fn harness(self, base: &Path) -> Command {
-        let mut words: Vec<PathBuf> = Vec::new();
+        let mut words = vec![std::env::current_exe().unwrap()];
         if self.as_user {
             // The toolchain mostly lies in root's own folder, where nobody else can read: it is shown in another place.
             let script = "mount --bind \"$1\" \"$2/rust\" && mount --bind \"$3\" \"$2/cargo\" && shift 3 && exec \"$@\"";
@@ -79,7 +80,7 @@ impl Mode {
         }
         words.push(env!("CARGO_BIN_EXE_harness").into());
         let mut command = Command::new(&words[0]);
-        command.args(&words[1..]);
+        command.args(&words[1..]).env(undertaker::WANTED, "1");
         if self.as_user {
             let rust = base.join("rust/bin");
             command

@@ -1,7 +1,7 @@
 //! Closures whose types hold the type before them twice, forty times.
 //!
 //! place: before local_quaternion
-//! expect: too-expensive-to-compile memory | too-expensive-to-compile time | does-not-compile
+//! expect: graded 10; part1 crashed | too-expensive-to-compile memory | too-expensive-to-compile time | does-not-compile
 
 fn attack() {
     std::hint::black_box(tower(tower(tower(tower(tower(1_u8))))));

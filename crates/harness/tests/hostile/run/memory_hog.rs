@@ -1,6 +1,6 @@
 //! Fills the memory until there is none.
 //!
-//! expect: graded 10; part1 crashed
+//! expect: graded 10; part1 crashed | graded 10; part1 timed-out
 //! quick: yes
 
 fn attack() {

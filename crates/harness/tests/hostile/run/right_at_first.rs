@@ -1,7 +1,7 @@
 //! Answers right for as long as somebody might be looking.
 //!
 //! place: instead of local_quaternion
-//! expect: graded 11; part1 partly-right
+//! expect: graded 12; part1 partly-right
 
 use std::sync::atomic::{AtomicU32, Ordering};
 

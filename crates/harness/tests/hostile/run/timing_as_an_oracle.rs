@@ -1,7 +1,7 @@
 //! Answers wrong first, and takes the time until the next question as a hint whether it was.
 //!
 //! place: instead of local_quaternion
-//! expect: graded 10; part1 wrong | graded 10; part1 partly-right
+//! expect: graded 11; part1 partly-right
 
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
