@@ -49,7 +49,8 @@ pub fn confine(token: &OsStr, spec: &Spec, mut program: Command) -> Result<Infal
 /// What binds only the program, not a launcher that waits for it. The order matters: each step takes away what those
 /// before it needed.
 fn last_steps(spec: &Spec, rules: Option<RulesetCreated>, parent: &Parent) -> Result<(), String> {
-    let filter = system_calls::filter(std::process::id(), spec.folder().is_some())?;
+    let filter = || system_calls::filter(std::process::id(), spec.folder().is_some());
+    let filter = spec.layers.seccomp.then(filter).transpose()?;
     if let Some(user) = spec.user {
         become_user(user).context("change the user")?;
     } else if spec.layers.namespaces && !user::is_root() {
@@ -66,7 +67,7 @@ fn last_steps(spec: &Spec, rules: Option<RulesetCreated>, parent: &Parent) -> Re
     if spec.layers.limits {
         limits::apply(spec).context("set limits")?;
     }
-    if spec.layers.seccomp {
+    if let Some(filter) = filter {
         system_calls::obey(&filter)?;
     }
     Ok(())

@@ -142,7 +142,13 @@ fn killed(scene: &Scene) {
 
 fn harness_killed(scene: &Scene) {
     let mut harness = Command::new(env::current_exe().unwrap());
-    let mut harness = harness.args([HARNESS, scene.mode.name]).stdout(Stdio::piped()).spawn().unwrap();
+    // What it leaves behind goes with the judge's own files.
+    let mut harness = harness
+        .args([HARNESS, scene.mode.name])
+        .arg(scene.home.path())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
     let output = wait_until_asleep(harness.stdout.take().unwrap());
     harness.kill().unwrap();
     harness.wait().unwrap();

@@ -33,14 +33,14 @@ pub fn run(mode: &str, case: &str) {
         }
         return;
     }
-    cases::judge(case, &Scene::new(mode));
+    cases::judge(case, &Scene::new(mode, Path::new("/tmp")));
 }
 
 /// What a harness does that is about to be killed: it starts a program that never ends.
-pub fn be_a_harness(mode: &str) {
+pub fn be_a_harness(mode: &str, folder: &str) {
     let mode = Mode::named(mode);
     mode.imitate();
-    let scene = Scene::new(mode);
+    let scene = Scene::new(mode, Path::new(folder));
     let mut command = scene.command("sleep", &[]);
     command.stdin(Stdio::null()).status().unwrap();
 }
@@ -54,10 +54,11 @@ pub struct Scene {
 }
 
 impl Scene {
-    fn new(mode: &'static Mode) -> Scene {
+    /// Its files are in a new folder in `folder`, which all may enter.
+    fn new(mode: &'static Mode, folder: &Path) -> Scene {
         let sandbox = mode.sandbox().unwrap();
         assert!(mode.possible_layers().contains(&sandbox.layers()));
-        let home = tempfile::Builder::new().prefix("home of judge ").tempdir_in("/tmp").unwrap();
+        let home = tempfile::Builder::new().prefix("home of judge ").tempdir_in(folder).unwrap();
         // Any user may come in here: only the sandbox keeps them out.
         open_to_all(home.path());
         for folder in ["outside", "folder", "library"] {

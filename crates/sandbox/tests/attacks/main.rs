@@ -29,7 +29,7 @@ fn main() -> ExitCode {
     match words[..] {
         [attacker::ROLE, attack, ref rest @ ..] => attacker::run(attack, rest),
         [judge::ROLE, mode, case] => judge::run(mode, case),
-        [judge::HARNESS, mode] => judge::be_a_harness(mode),
+        [judge::HARNESS, mode, folder] => judge::be_a_harness(mode, folder),
         _ => return modes::run_all(),
     }
     ExitCode::SUCCESS
