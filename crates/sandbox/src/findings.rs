@@ -50,3 +50,25 @@ fn what_for(layer: Layer) -> &'static str {
         Layer::Limits => "processor time, memory, size of files, number of open files",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Unavailable;
+
+    #[test]
+    fn the_text_says_what_is_missing_and_what_to_do() {
+        let there = Finding { layer: Layer::Limits, available: true, problem: None, remedy: None };
+        let missing = Finding {
+            layer: Layer::Landlock,
+            available: false,
+            problem: Some("the kernel is old".to_owned()),
+            remedy: Some("Update it.".to_owned()),
+        };
+        let line = "  landlock    no   the kernel refuses all other files, and network connections";
+        let more = "\n                   the kernel is old\n                   Update it.";
+        assert_eq!(missing.to_string(), format!("{line}{more}"));
+        let error = Unavailable { why: "Too little.".to_owned(), findings: vec![there, missing] };
+        assert_eq!(error.to_string(), format!("Too little.\n{line}{more}"));
+    }
+}

@@ -51,7 +51,7 @@ impl Sandbox {
         let layers: Vec<Layer> = Layer::ALL.into_iter().filter(there).collect();
         let layers = Layers::of(&layers);
         if !layers.is_sandboxed() {
-            let why = "this machine offers too little to keep a hostile program in".to_owned();
+            let why = "This machine offers too little to keep a hostile program in. It takes namespaces or landlock, and seccomp and limits.".to_owned();
             return Err(Unavailable { why, findings });
         }
         Sandbox::with_layers(launcher, layers).map_err(|error| Unavailable { findings, ..error })

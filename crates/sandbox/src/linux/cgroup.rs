@@ -152,7 +152,13 @@ impl Parents {
     fn make(&self, name: &str, key: Key) -> io::Result<Group> {
         let folders: Vec<PathBuf> = self.folders().iter().map(|parent| parent.join(name)).collect();
         for folder in &folders {
-            fs::create_dir(folder)?;
+            let explain = |error: io::Error| {
+                io::Error::new(
+                    error.kind(),
+                    format!("could not make the group {}: {error}", folder.display()),
+                )
+            };
+            fs::create_dir(folder).map_err(explain)?;
         }
         let tasks = key.tasks.to_string();
         let memory = key.memory.to_string();
