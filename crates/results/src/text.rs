@@ -99,3 +99,43 @@ pub(crate) fn count(number: usize, noun: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{number} {noun}{plural}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_beginning_of_a_formula_is_made_harmless() {
+        for begin in ["=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠", " =", "\u{a0}@"] {
+            let text = format!("{begin}1+1");
+            assert_eq!(cell(&text), format!("'{text}"), "{begin:?}");
+        }
+        for plain in ["", "1-1", "Terry", "'=1", "7.50"] {
+            assert_eq!(cell(plain), plain);
+        }
+    }
+
+    #[test]
+    fn nothing_ends_a_block_of_code_but_its_end() {
+        for text in ["", "``", "```", "a\n````\n# heading", "`````````"] {
+            let block = markdown_code(text);
+            let fence = block.split("text").next().unwrap();
+            assert!(fence.len() > 2 && !text.contains(fence), "{block}");
+            assert!(block.ends_with(&format!("\n{fence}\n")), "{block}");
+        }
+    }
+
+    #[test]
+    fn names_are_known_again_however_they_are_written() {
+        assert_eq!(name_key("Fox, Terry"), name_key(" terry  FOX"));
+        assert_ne!(name_key("Terry Fox"), name_key("Terry Foxe"));
+        for (one, other) in
+            [("TerryFox", "Fox, T."), ("foxterry", "Terry Fox"), ("Zoë Å", "zoë b"), ("", "anybody")]
+        {
+            assert!(resembles(one, other), "{one} {other}");
+        }
+        for (one, other) in [("Terry Fox", "Ada Okafor"), ("=cmd", "Li Wei")] {
+            assert!(!resembles(one, other), "{one} {other}");
+        }
+    }
+}

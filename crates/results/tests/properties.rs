@@ -191,8 +191,8 @@ proptest! {
             let (next_first, next_last, next_number) = &names[(index + 1) % names.len()];
             let text = format!(
                 "{} panicked at {first}.rs by {} {last}, {number}; like {next_first} {next_last} ({next_number}), \
-                 {number}_{first}{last}.zip, {number}_{first}-x{index}",
-                notes[index % notes.len()], first.to_uppercase(),
+                 {number}_{first}{last}.zip, {number}_{}-x{index}",
+                notes[index % notes.len()], first.to_uppercase(), first.to_uppercase(),
             );
             for (suffix, record) in everywhere(&text, &format!("{number}_{first}-x{index}")).into_iter().enumerate() {
                 records.push(Record {
