@@ -267,3 +267,13 @@ fn what_cannot_be_written_is_named() {
     let error = desk.marks(&[right("a", "1")], &Options::default()).unwrap_err().to_string();
     assert!(error.starts_with("cannot write ") && error.contains("out"), "{error}");
 }
+
+#[test]
+fn a_name_in_another_students_text_is_a_pseudonym_too() {
+    let desk = Desk::new();
+    let copied = Verdict::Rejected { code: "copy".into(), why: "// by TERRY FOX (terryfox), not me".into() };
+    let records = [right("one", "300000001"), record("two", Some("300000002"), "Ada Okafor", copied)];
+    desk.marks(&records, &Options { anonymous: true, ..Options::default() }).unwrap();
+    let grades = fs::read_to_string(desk.0.path().join("out/grades.csv")).unwrap();
+    assert!(!grades.to_lowercase().contains("fox") && grades.contains("copy: // by Student 00"), "{grades}");
+}

@@ -28,7 +28,7 @@ pub(super) fn top(book: &Book<'_>, statistics: &Statistics, attention: &[Attenti
             }
             (figures(book, statistics))
         }
-        main {
+        div.overview {
             @if !attention.is_empty() { (needs_your_eye(attention)) }
             div.two {
                 div {

@@ -12,10 +12,10 @@ use crate::grades::misconceptions;
 use crate::page::{prose, state_mark, theirs};
 use crate::{Flag, Points, Record, Standing, Verdict};
 
-pub(super) const START: &str = r#"<section id="students"><h2>Students</h2>"#;
+pub(super) const START: &str = r#"<main id="students"><h2>Students</h2>"#;
 pub(super) const END: &str = concat!(
     "</table>",
-    r#"<p class="more-rows"><button type="button" id="more" hidden>Show more</button></p></section>"#
+    r#"<p class="more-rows"><button type="button" id="more" hidden>Show more</button></p></main>"#
 );
 
 /// The statuses in the order in which they are offered.
