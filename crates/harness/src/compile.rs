@@ -10,7 +10,7 @@ use sandbox::{Confinement, Finished, Limit, Limits, Sandbox};
 
 use crate::diagnostics;
 use crate::exercise::Exercise;
-use crate::kit::Kit;
+use crate::kit::{Host, Kit};
 use crate::toolchain::{Linker, Toolchain};
 
 /// Compiles submissions, each in a folder of its own.
@@ -35,6 +35,8 @@ pub struct Worker {
     pub program: PathBuf,
     /// What it must be able to read, itself included.
     pub reads: Vec<PathBuf>,
+    /// Its environment.
+    pub environment: Vec<(OsString, OsString)>,
 }
 
 /// What came of compiling.
@@ -72,21 +74,30 @@ impl Compiler<'_> {
         if !is_success(&rustc) {
             return Ok((Compiled::Not(self.verdict(&rustc, build)), time));
         }
-        if let Linker::Direct { program, .. } = &self.toolchain.linker {
-            let linker = self.run(slot, build, program, &self.linker_arguments())?;
+        if let Linker::Direct { program, options, .. } = &self.toolchain.linker {
+            let files = ["-soname", Host::LIBRARY, "-o", Host::LIBRARY, "worker.o"].map(OsString::from);
+            let linker = self.run(slot, build, program, &[options.as_slice(), &files].concat())?;
             time += linker.cpu;
             if !is_success(&linker) {
                 return Ok((Compiled::Not(link_verdict(&linker)), time));
             }
         }
-        let program = run.join(program_name());
-        copy_program(&build.join(program_name()), &program)?;
-        let mut reads = vec![program.clone()];
-        if let (Linker::Direct { system, .. }, Some(shared)) = (&self.toolchain.linker, &self.kit.shared) {
-            reads.extend(system.iter().cloned());
-            reads.extend([shared.clone(), self.toolchain.libraries.clone()]);
-        }
-        Ok((Compiled::Worker(Worker { program, reads }), time))
+        Ok((Compiled::Worker(self.worker(build, run)?), time))
+    }
+
+    /// Takes what was linked out of the folder that the compiler could write, to where nothing confined can.
+    fn worker(&self, build: &Path, run: &Path) -> io::Result<Worker> {
+        let (Linker::Direct { system, .. }, Some(host)) = (&self.toolchain.linker, &self.kit.host) else {
+            let program = run.join(program_name());
+            copy_program(&build.join(program_name()), &program)?;
+            return Ok(Worker { reads: vec![program.clone()], program, environment: Vec::new() });
+        };
+        copy_program(&build.join(Host::LIBRARY), &run.join(Host::LIBRARY))?;
+        let mut reads = system.clone();
+        reads.extend([run.to_path_buf(), host.program.clone(), host.exam.clone()]);
+        reads.extend(self.toolchain.shared_standard_library());
+        let environment = vec![("LD_LIBRARY_PATH".into(), run.into())];
+        Ok(Worker { program: host.program.clone(), reads, environment })
     }
 
     fn run(&self, slot: u32, folder: &Path, program: &Path, arguments: &[OsString]) -> io::Result<Finished> {
@@ -96,7 +107,7 @@ impl Compiler<'_> {
     /// What the compiler and the linker may read: the toolchain, our libraries, the system's libraries.
     fn confinement(&self, folder: &Path) -> Confinement {
         let mut read = vec![self.toolchain.sysroot.clone(), self.kit.dependencies.clone()];
-        read.extend(self.kit.shared.clone());
+        read.extend(self.kit.host.iter().map(|host| host.exam.clone()));
         if let Linker::Direct { program, system, .. } = &self.toolchain.linker {
             read.push(program.clone());
             read.extend(system.iter().cloned());
@@ -140,21 +151,6 @@ impl Compiler<'_> {
         arguments
     }
 
-    fn linker_arguments(&self) -> Vec<OsString> {
-        let (Linker::Direct { before, after, .. }, Some(shared)) = (&self.toolchain.linker, &self.kit.shared)
-        else {
-            return Vec::new();
-        };
-        let mut arguments = before.clone();
-        arguments.extend(["-o".into(), program_name().into(), "worker.o".into(), shared.into()]);
-        arguments.extend(standard_library(&self.toolchain.libraries).map(OsString::from));
-        for folder in [shared.parent(), Some(self.toolchain.libraries.as_path())].into_iter().flatten() {
-            arguments.extend(["-rpath".into(), folder.into()]);
-        }
-        arguments.extend(after.iter().cloned());
-        arguments
-    }
-
     fn verdict(&self, rustc: &Finished, folder: &Path) -> Verdict {
         let hide = [
             (folder, "."),
@@ -180,7 +176,7 @@ fn is_success(finished: &Finished) -> bool {
     finished.limit.is_none() && finished.status.is_some_and(|status| status.success())
 }
 
-/// Takes the program out of the folder that the compiler could write, to where nothing confined can.
+/// Copies a file that something confined has written.
 fn copy_program(from: &Path, to: &Path) -> io::Result<()> {
     let mut options = fs::OpenOptions::new();
     options.read(true);
@@ -200,19 +196,6 @@ fn copy_program(from: &Path, to: &Path) -> io::Result<()> {
 
 fn program_name() -> String {
     format!("worker{}", std::env::consts::EXE_SUFFIX)
-}
-
-/// The shared standard library: the toolchain holds exactly one.
-fn standard_library(folder: &Path) -> Option<PathBuf> {
-    let files = fs::read_dir(folder).ok()?.filter_map(|entry| Some(entry.ok()?.path()));
-    let mut found: Vec<PathBuf> = files
-        .filter(|path| {
-            let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-            name.starts_with("libstd-") && name.ends_with(std::env::consts::DLL_SUFFIX)
-        })
-        .collect();
-    found.sort();
-    found.into_iter().next()
 }
 
 fn too_expensive(limit: &Limit) -> Verdict {

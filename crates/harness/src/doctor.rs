@@ -26,7 +26,7 @@ pub fn run(_: &DoctorArgs) -> Result<ExitCode, Error> {
     match &toolchain.linker {
         Linker::Direct { program, .. } => println!("Linker     {}", program.display()),
         Linker::ByRustc => println!(
-            "Linker     by the compiler: twice as slow. Called directly it needs Linux with the GNU C library, `cc` and its files (Debian: build-essential)."
+            "Linker     by the compiler: twice as slow. Called directly it needs Linux with the GNU C library."
         ),
     }
     let kit = Kit::build(&workspace, &toolchain)?;

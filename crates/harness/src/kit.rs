@@ -1,12 +1,14 @@
 //! What a submission is compiled and linked with: the libraries that a student's file may use, built once.
 
+use std::ffi::OsString;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
 use crate::toolchain::{Linker, Toolchain};
-use crate::{Error, workspace};
+use crate::{Error, digest, workspace};
 
 /// The libraries, built. Cargo keeps them, so that this takes a moment from the second time on.
 #[derive(Clone, Debug)]
@@ -15,8 +17,23 @@ pub struct Kit {
     pub externs: Vec<(String, PathBuf)>,
     /// The folder with what these libraries use in turn.
     pub dependencies: PathBuf,
-    /// The shared library to link with, where the linker is called directly.
-    pub shared: Option<PathBuf>,
+    /// What a program needs besides its own library, where the linker is called directly.
+    pub host: Option<Host>,
+}
+
+/// A program without a main function of its own: it takes that from [`Host::LIBRARY`], which the system's loader looks for.
+/// So linking a submission is making that library, without a look at any other.
+#[derive(Clone, Debug)]
+pub struct Host {
+    /// The program.
+    pub program: PathBuf,
+    /// The library with everything that is asked and answered.
+    pub exam: PathBuf,
+}
+
+impl Host {
+    /// The name of the library with the main function.
+    pub const LIBRARY: &str = "libworker.so";
 }
 
 /// The libraries that an exercise's package depends on.
@@ -57,9 +74,65 @@ impl Kit {
             externs.push((name.to_owned(), find(name)?));
         }
         let dependencies = find("glam")?.parent().map(Path::to_path_buf).unwrap_or_default();
-        let shared = if is_shared { Some(find("exam")?) } else { None };
-        Ok(Kit { externs, dependencies, shared })
+        let host = match &toolchain.linker {
+            Linker::Direct { program, options, .. } => {
+                let exam = find("exam")?;
+                Some(Host { program: host(workspace, toolchain, program, options, &exam)?, exam })
+            }
+            Linker::ByRustc => None,
+        };
+        Ok(Kit { externs, dependencies, host })
     }
+}
+
+/// Links the host program, if that was not done before.
+fn host(
+    workspace: &Path,
+    toolchain: &Toolchain,
+    linker: &Path,
+    options: &[OsString],
+    exam: &Path,
+) -> Result<PathBuf, Error> {
+    let trouble = |error: std::io::Error| Error::Kit(error.to_string());
+    let standard = toolchain.shared_standard_library();
+    let standard =
+        standard.ok_or_else(|| Error::Kit("the toolchain has no shared standard library".to_owned()))?;
+    let parts = format!("{}\n{}\n{}", toolchain.version, standard.display(), exam.display());
+    let folder = workspace::target(workspace).join("worker");
+    let program = folder.join(format!("host-{}", &digest::of(parts.as_bytes())[..16]));
+    if program.exists() {
+        return Ok(program);
+    }
+    let scratch = tempfile::tempdir_in(&folder).map_err(trouble)?;
+    let path = |name: &str| scratch.path().join(name);
+    fs::write(path("main.rs"), "fn main() {}").map_err(trouble)?;
+    let run = |command: &mut Command| {
+        let output = command.current_dir(scratch.path()).output().map_err(trouble)?;
+        let words = || String::from_utf8_lossy(&output.stderr).trim().to_owned();
+        if output.status.success() { Ok(()) } else { Err(Error::Kit(words())) }
+    };
+    run(Command::new(&toolchain.rustc).args([
+        "--crate-type",
+        "bin",
+        "--emit",
+        "obj",
+        "-o",
+        "main.o",
+        "main.rs",
+    ]))?;
+    run(Command::new(linker).args(options).args(["-soname", Host::LIBRARY, "-o", Host::LIBRARY, "main.o"]))?;
+    let folders = [exam.parent(), standard.parent()].into_iter().flatten();
+    let places = folders.map(|folder| format!("-Wl,-rpath,{}", folder.display()));
+    run(Command::new("cc")
+        .args(["-Wl,--no-as-needed", "-o", "host"])
+        .arg(path(Host::LIBRARY))
+        .arg(exam)
+        .arg(&standard)
+        .args(["-lm", "-lgcc_s"])
+        .args(places))?;
+    // Another command may have been faster: both made the same.
+    fs::rename(path("host"), &program).map_err(trouble)?;
+    Ok(program)
 }
 
 /// Where sources lie on this machine must not reach a student by a compiler's note.

@@ -70,7 +70,7 @@ impl Examiner<'_> {
         let confinement = Confinement {
             read: worker.reads.clone(),
             folder: None,
-            environment: Vec::new(),
+            environment: worker.environment.clone(),
             limits: self.limits,
         };
         let mut command = self.sandbox.command(slot, &confinement, &worker.program)?;

@@ -110,6 +110,7 @@ impl Marker {
 /// Everything that the sandbox must be able to show to the compiler, the linker and the workers.
 pub(crate) fn reads(toolchain: &Toolchain, kit: &Kit, scratch: &Path) -> Vec<PathBuf> {
     let mut reads = vec![toolchain.sysroot.clone(), kit.dependencies.clone(), scratch.to_path_buf()];
+    reads.extend(kit.host.iter().flat_map(|host| [host.program.clone(), host.exam.clone()]));
     if let Linker::Direct { system, .. } = &toolchain.linker {
         reads.extend(system.iter().cloned());
     }

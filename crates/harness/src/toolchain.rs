@@ -1,6 +1,7 @@
 //! The compiler and the linker of this machine.
 
 use std::ffi::OsString;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -13,7 +14,7 @@ pub struct Toolchain {
     pub rustc: PathBuf,
     /// The folder that the compiler and its libraries lie in.
     pub sysroot: PathBuf,
-    /// The standard library for this machine.
+    /// The folder with the standard library for this machine.
     pub libraries: PathBuf,
     /// For example `rustc 1.95.0 (f2d3ce0bd 2026-03-21)`.
     pub version: String,
@@ -24,14 +25,13 @@ pub struct Toolchain {
 /// How programs are linked.
 #[derive(Clone, Debug)]
 pub enum Linker {
-    /// By calling the linker itself, against shared libraries: this takes a few milliseconds.
+    /// By calling the linker itself for a shared library, and nothing but the library: this takes a few milliseconds. A
+    /// program that was linked once takes everything else from there.
     Direct {
         /// The program.
         program: PathBuf,
-        /// Its arguments before the compiled file.
-        before: Vec<OsString>,
-        /// Its arguments after our own libraries.
-        after: Vec<OsString>,
+        /// Its first arguments.
+        options: Vec<OsString>,
         /// The folders that the system's libraries lie in.
         system: Vec<PathBuf>,
     },
@@ -52,8 +52,19 @@ impl Toolchain {
         let version = verbose.lines().next().unwrap_or_default().to_owned();
         let host = verbose.lines().find_map(|line| line.strip_prefix("host: ")).unwrap_or_default();
         let target = sysroot.join("lib").join("rustlib").join(host);
-        let linker = direct_linker(workspace, &target).unwrap_or(Linker::ByRustc);
+        let linker = direct_linker(&target).unwrap_or(Linker::ByRustc);
         Ok(Toolchain { rustc, libraries: target.join("lib"), version, linker, sysroot })
+    }
+}
+
+impl Toolchain {
+    /// The standard library as a shared one. A toolchain holds exactly one.
+    pub fn shared_standard_library(&self) -> Option<PathBuf> {
+        let files = fs::read_dir(&self.libraries).ok()?.filter_map(|entry| Some(entry.ok()?.path()));
+        files.into_iter().find(|path| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            name.starts_with("libstd-") && name.ends_with(std::env::consts::DLL_SUFFIX)
+        })
     }
 }
 
@@ -69,37 +80,22 @@ fn output(folder: &Path, program: &str, arguments: &[&str]) -> Result<String, Er
 }
 
 /// Only for Linux with the GNU C library: elsewhere the standard library is not shared, or linked otherwise.
-fn direct_linker(workspace: &Path, target: &Path) -> Option<Linker> {
-    let loader = match (cfg!(all(target_os = "linux", target_env = "gnu")), std::env::consts::ARCH) {
-        (true, "x86_64") => "/lib64/ld-linux-x86-64.so.2",
-        (true, "aarch64") => "/lib/ld-linux-aarch64.so.1",
-        _ => return None,
-    };
-    // The C compiler knows where these lie. It gives back the bare name of what it does not find.
-    let find = |name: &str| {
-        let path = PathBuf::from(output(workspace, "cc", &[&format!("-print-file-name={name}")]).ok()?);
-        path.is_absolute().then(|| path.canonicalize().ok())?
-    };
+fn direct_linker(target: &Path) -> Option<Linker> {
+    if !cfg!(all(target_os = "linux", target_env = "gnu")) {
+        return None;
+    }
     let gnu = Path::new("/usr/bin/ld");
     let bundled = target.join("bin").join("rust-lld");
     let (program, flavor) = if gnu.exists() {
         (gnu.to_path_buf(), &[][..])
     } else if bundled.exists() {
-        (bundled, &["-flavor", "gnu"][..])
+        (bundled, &["-flavor", "gnu", "--threads=1"][..])
     } else {
         return None;
     };
-    let options = ["-pie", "--eh-frame-hdr", "--gc-sections", "--build-id=none", "-z", "relro", "-z", "now"];
-    let more = ["-z", "noexecstack", "--dynamic-linker", loader];
-    let mut before: Vec<OsString> = flavor.iter().chain(&options).chain(&more).map(OsString::from).collect();
-    before.extend([find("Scrt1.o")?.into(), find("crti.o")?.into()]);
-    let libraries = [find("libgcc_s.so.1")?, find("libm.so.6")?, find("libc.so.6")?];
-    let after = libraries.iter().map(OsString::from).chain([find("crtn.o")?.into()]).collect();
-
-    let mut system = sandbox::system_libraries();
-    let files = libraries.iter().cloned().chain(["Scrt1.o", "crti.o", "crtn.o"].into_iter().filter_map(find));
-    system.extend(files.filter_map(|file| Some(file.parent()?.to_path_buf())));
-    system.sort();
-    system.dedup();
-    Some(Linker::Direct { program, before, after, system })
+    // Without the table of frames, a panic would end the program.
+    let options =
+        ["-shared", "--eh-frame-hdr", "--build-id=none", "-z", "relro", "-z", "now", "-z", "noexecstack"];
+    let options = flavor.iter().chain(&options).map(OsString::from).collect();
+    Some(Linker::Direct { program, options, system: sandbox::system_libraries() })
 }
