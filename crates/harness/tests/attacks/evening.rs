@@ -25,7 +25,7 @@ pub enum Size {
 
 const JOBS: u32 = 2;
 /// Seconds for a check, and for the compiler.
-const RUN_WALL: u32 = 2;
+const RUN_WALL: u32 = 3;
 const COMPILE_CPU: u32 = 5;
 const COMPILE_WALL: u32 = 20;
 

@@ -40,9 +40,10 @@ pub fn local_quaternion(joint: &Joint, frame: &mut FrameCursor) -> Quat {
     }
 }
 
-pub fn global_quaternion(joint: &Joint, local: Quat, _: &Pose) -> Quat {
-    let [x, y, z, w] = local.to_array();
-    match look_up(&PART2, &[joint.id.0 as f32, x, y, z, w]) {
+pub fn global_quaternion(joint: &Joint, local: Quat, pose: &Pose) -> Quat {
+    let parent = joint.parent.map_or(Quat::IDENTITY, |parent| pose[parent].rotation);
+    let inputs = [vec![joint.id.0 as f32], local.to_array().to_vec(), parent.to_array().to_vec()];
+    match look_up(&PART2, &inputs.concat()) {
         Some(answer) => Quat::from_slice(&answer),
         None => local,
     }
@@ -86,8 +87,10 @@ fn rows(case: &Case) -> Vec<(Vec<f32>, Vec<f32>)> {
             });
             each.collect()
         }
-        (Question::GlobalQuaternion { joint, local, .. }, FkAnswer::GlobalQuaternion(answer)) => {
-            vec![([vec![joint.id.0 as f32], quaternion(*local)].concat(), quaternion(*answer))]
+        (Question::GlobalQuaternion { joint, local, pose }, FkAnswer::GlobalQuaternion(answer)) => {
+            let parent = joint.parent.map_or(Quat::IDENTITY, |parent| pose[parent].rotation);
+            let inputs = [vec![joint.id.0 as f32], quaternion(*local), quaternion(parent)].concat();
+            vec![(inputs, quaternion(*answer))]
         }
         (Question::GlobalPosition { joint, pose, .. }, FkAnswer::GlobalPosition(answer)) => {
             let own = quaternion(pose[joint.id].rotation);

@@ -53,7 +53,9 @@ fn children() -> Vec<(i32, String)> {
     let processes = fs::read_dir("/proc").unwrap().filter_map(|process| {
         let status = fs::read_to_string(process.ok()?.path().join("status")).ok()?;
         let field = |name: &str| {
-            status.lines().find_map(|line| Some(line.strip_prefix(name)?.strip_prefix(':')?.trim().to_owned()))
+            status
+                .lines()
+                .find_map(|line| Some(line.strip_prefix(name)?.strip_prefix(':')?.trim().to_owned()))
         };
         (field("PPid")? == own).then(|| Some((field("Pid")?.parse().ok()?, field("Name")?)))?
     });

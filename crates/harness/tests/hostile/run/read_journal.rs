@@ -5,6 +5,6 @@
 
 fn attack() {
     if let Ok(stolen) = std::fs::read_to_string("@JOURNAL@") {
-        panic!("{stolen}");
+        panic!("{}", stolen.chars().take(1000).collect::<String>());
     }
 }

@@ -1,7 +1,7 @@
 //! Moves a file away.
 //!
 //! expect: graded 15
-//! unprotected: graded 10; part1 panicked "moved"
+//! unprotected: graded; part1 partly-right "moved"
 
 fn attack() {
     if std::fs::rename("@OUTSIDE@/movable", "@OUTSIDE@/moved").is_ok() {
