@@ -32,8 +32,8 @@ const COMPILE_WALL: u32 = 20;
 /// Nobody knows this seed.
 const SEED: &str = "20260131";
 
-/// What is left of answers that are known by heart: a point for taking the angles from the frame, and one for a root.
-const BY_HEART: &str = "graded 2; part1 partly-right; part2 partly-right; part3 not-started";
+/// What is left of answers that are known by heart: a point for taking the angles from the frame.
+const BY_HEART: &str = "graded 1; part1 partly-right; part2 not-started; part3 not-started";
 
 /// The file that others try to steal.
 const NEIGHBOUR: &str = "300000000_Innocent.rs";

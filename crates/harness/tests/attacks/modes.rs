@@ -26,24 +26,29 @@ pub struct Mode {
     pub as_user: bool,
     /// Whether the system gives out namespaces.
     pub namespaces: bool,
+    /// As the first process of a container, which gets all orphans and has nobody to bury them.
+    pub first: bool,
 }
 
 impl Mode {
     /// As the tests themselves run.
-    pub const PLAIN: Mode = Mode { as_user: false, namespaces: true };
+    pub const PLAIN: Mode = Mode { as_user: false, namespaces: true, first: false };
 
-    pub const ALL: [(&str, Mode); 4] = [
+    pub const ALL: [(&str, Mode); 5] = [
         ("as_it_is", Mode::PLAIN),
-        ("without_namespaces", Mode { as_user: false, namespaces: false }),
-        ("as_an_ordinary_user", Mode { as_user: true, namespaces: true }),
-        ("as_an_ordinary_user_without_namespaces", Mode { as_user: true, namespaces: false }),
+        ("without_namespaces", Mode { namespaces: false, ..Mode::PLAIN }),
+        ("as_an_ordinary_user", Mode { as_user: true, ..Mode::PLAIN }),
+        ("as_an_ordinary_user_without_namespaces", Mode { as_user: true, namespaces: false, ..Mode::PLAIN }),
+        ("as_the_first_process", Mode { first: true, ..Mode::PLAIN }),
     ];
 
     /// Why this cannot be had here.
     pub fn missing(self) -> Option<&'static str> {
-        let is_root = Uid::effective().is_root();
-        (self.as_user && !is_root)
-            .then_some("only root can become another user; the tests run as an ordinary one already")
+        if Uid::effective().is_root() {
+            return None;
+        }
+        let user = "only root can become another user; the tests run as an ordinary one already";
+        if self.as_user { Some(user) } else { self.first.then_some("only root can become the first process") }
     }
 
     /// Makes `base` ready for the user who will run the harness.
@@ -74,6 +79,9 @@ impl Mode {
             let user = format!("--reuid={USER}");
             let group = format!("--regid={USER}");
             words.extend(["setpriv", &user, &group, "--clear-groups"].map(PathBuf::from));
+        }
+        if self.first {
+            words.extend(["unshare", "--pid", "--fork", "--mount-proc"].map(PathBuf::from));
         }
         if !self.namespaces {
             words.push(std::env::current_exe().unwrap());

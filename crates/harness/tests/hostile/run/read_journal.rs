@@ -1,7 +1,7 @@
 //! Reads the seed of the questions and the verdicts on others.
 //!
 //! expect: graded 15
-//! unprotected: graded 10; part1 panicked "seed"
+//! unprotected: graded 10; part1 panicked "schema"
 
 fn attack() {
     if let Ok(stolen) = std::fs::read_to_string("@JOURNAL@") {
