@@ -5,7 +5,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::stream::ReplyStream;
 use crate::wire::{self, Reply};
@@ -35,17 +35,55 @@ impl WorkerProcess {
 
 impl Subject for WorkerProcess {
     fn ask(&mut self, question: &Question, limit: Duration) -> Result<Answer, Failure> {
-        let message = wire::to_bytes(question).map_err(no_answer)?;
-        let mut running = match self.running.take() {
-            Some(running) => running,
-            None => Running::start(&mut self.command, self.printed.clone()).map_err(no_answer)?,
-        };
-        let result = running.ask(message, question.answer_limit(), limit);
-        // After a panic the worker goes on; after anything else that is not an answer it is in an unknown state.
-        if matches!(result, Ok(_) | Err(Failure::Panicked { .. })) {
-            self.running = Some(running);
+        let (mut answers, failure) = self.ask_all(&[question], limit);
+        match failure {
+            Some(failure) => Err(failure),
+            None => answers.pop().ok_or_else(|| Failure::NoAnswer { why: "nothing came back".to_owned() }),
         }
-        result
+    }
+
+    /// All questions are on their way before the first answer is waited for: waking each other for every question would
+    /// take longer than answering.
+    fn ask_all(&mut self, questions: &[&Question], limit: Duration) -> (Vec<Answer>, Option<Failure>) {
+        let start = Instant::now();
+        let mut answers = Vec::new();
+        let mut running = match self.send(questions) {
+            Ok(running) => running,
+            Err(error) => return (answers, Some(no_answer(error))),
+        };
+        for (index, _) in questions.iter().enumerate() {
+            match running.receive(limit.saturating_sub(start.elapsed())) {
+                Ok(answer) => answers.push(answer),
+                Err(failure) => {
+                    // After the last question's panic the worker goes on; otherwise it is busy with questions that
+                    // nobody waits for, or in an unknown state.
+                    if matches!(failure, Failure::Panicked { .. }) && index + 1 == questions.len() {
+                        self.running = Some(running);
+                    }
+                    let failure = match failure {
+                        Failure::TimedOut { .. } => Failure::TimedOut { limit },
+                        other => other,
+                    };
+                    return (answers, Some(failure));
+                }
+            }
+        }
+        self.running = Some(running);
+        (answers, None)
+    }
+}
+
+impl WorkerProcess {
+    /// Puts the questions to the worker that runs, or to a new one.
+    fn send(&mut self, questions: &[&Question]) -> io::Result<Running> {
+        let running = match self.running.take() {
+            Some(running) => running,
+            None => Running::start(&mut self.command, self.printed.clone())?,
+        };
+        for question in questions {
+            running.send(wire::to_bytes(question)?, question.answer_limit());
+        }
+        Ok(running)
     }
 }
 
@@ -75,7 +113,8 @@ impl Running {
         let (to_write, messages) = mpsc::channel::<Vec<u8>>();
         to_write.send(marker.to_vec()).map_err(io::Error::other)?;
         thread::Builder::new().name("to worker".into()).spawn(move || {
-            while let Ok(message) = messages.recv() {
+            while let Ok(mut message) = messages.recv() {
+                messages.try_iter().for_each(|next| message.extend(next));
                 if stdin.write_all(&message).and_then(|()| stdin.flush()).is_err() {
                     break;
                 }
@@ -97,10 +136,13 @@ impl Running {
         Ok(Running { child, to_write, limits, replies })
     }
 
-    fn ask(&mut self, message: Vec<u8>, answer_limit: usize, limit: Duration) -> Result<Answer, Failure> {
+    fn send(&self, message: Vec<u8>, answer_limit: usize) {
         // When a thread is gone, so is the worker: waiting for the reply tells how it ended.
         let _ = self.limits.send(answer_limit + PANIC_LIMIT);
         let _ = self.to_write.send(message);
+    }
+
+    fn receive(&mut self, limit: Duration) -> Result<Answer, Failure> {
         match self.replies.recv_timeout(limit) {
             Ok(Ok(Some(reply))) => reply.into(),
             Ok(Ok(None)) | Err(RecvTimeoutError::Disconnected) => Err(self.how_it_ended()),

@@ -1,7 +1,7 @@
 //! Whom to ask, what to ask, and what may come back.
 
 use std::fmt;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 use skeleton::FkFunctions;
@@ -52,6 +52,21 @@ pub trait Subject {
     ///
     /// When no answer came, with the reason. The next question may be asked all the same.
     fn ask(&mut self, question: &Question, limit: Duration) -> Result<Answer, Failure>;
+
+    /// Asks several questions one after the other, until one is not answered. `limit` is for all of them together.
+    ///
+    /// Gives the answers in order, and why there is no further one.
+    fn ask_all(&mut self, questions: &[&Question], limit: Duration) -> (Vec<Answer>, Option<Failure>) {
+        let start = Instant::now();
+        let mut answers = Vec::new();
+        for question in questions {
+            match self.ask(question, limit.saturating_sub(start.elapsed())) {
+                Ok(answer) => answers.push(answer),
+                Err(failure) => return (answers, Some(failure)),
+            }
+        }
+        (answers, None)
+    }
 }
 
 /// Why a question has no answer. `Display` says it in words for the student.

@@ -1,6 +1,6 @@
 //! Putting the questions, and judging the answers.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use exam::{Answer, Failure, Functions, Subject};
 
@@ -29,13 +29,7 @@ pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) 
     // Some misconceptions answer like the template. Who has not started has none.
     let is_started = state != PartState::NotStarted;
     let named = if is_started { recognise(part, &answers, &checks) } else { Vec::new() };
-    PartReport {
-        rubric: part.rubric,
-        state,
-        named,
-        checks,
-        remark,
-    }
+    PartReport { rubric: part.rubric, state, named, checks, remark }
 }
 
 /// How long a check may take when another one had `limit` and was not ready.
@@ -50,19 +44,14 @@ struct CheckAnswers {
 }
 
 fn ask(subject: &mut dyn Subject, check: &CheckPaper, limit: Duration) -> CheckAnswers {
-    let start = Instant::now();
-    let mut answers = Vec::new();
-    for case in &check.cases {
-        match subject.ask(&case.question, limit.saturating_sub(start.elapsed())) {
-            Ok(answer) => answers.push(answer),
-            // What counts is the check's time, of which this case had the rest.
-            Err(Failure::TimedOut { .. }) => {
-                return CheckAnswers { answers, failure: Some(Failure::TimedOut { limit }) };
-            }
-            Err(failure) => return CheckAnswers { answers, failure: Some(failure) },
-        }
-    }
-    CheckAnswers { answers, failure: None }
+    let questions: Vec<_> = check.cases.iter().map(|case| &case.question).collect();
+    let (answers, failure) = subject.ask_all(&questions, limit);
+    // What counts is the check's time, of which the last case had the rest.
+    let failure = failure.map(|failure| match failure {
+        Failure::TimedOut { .. } => Failure::TimedOut { limit },
+        other => other,
+    });
+    CheckAnswers { answers, failure }
 }
 
 /// Compares all answers with what `expected` gives for each case.

@@ -17,10 +17,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("fk", &["exam", "skeleton"]),
     ("grading", &["exam", "skeleton", "solutions"]),
     ("generator", &["parser", "skeleton"]),
-    (
-        "harness",
-        &["exam", "grading", "parser", "results", "sandbox", "skeleton", "solutions", "submissions"],
-    ),
+    ("harness", &["exam", "grading", "parser", "results", "sandbox", "skeleton", "solutions", "submissions"]),
     ("results", &[]),
     ("sandbox", &[]),
     ("submissions", &[]),

@@ -16,7 +16,7 @@ use crate::compile::{Compiled, Compiler};
 use crate::journal::{Done, Journal};
 use crate::log::Log;
 use crate::mark::Examiner;
-use crate::{Error, digest};
+use crate::{Error, digest, orphans};
 
 /// How the sources of a batch become verdicts. A trait, so that tests can leave the compiler out.
 pub trait Marking: Sync {
@@ -166,6 +166,7 @@ impl Jobs<'_> {
         let id = waiting.record.id.clone();
         let folder = self.scratch.join(slot.to_string());
         let outcome = self.marking.mark(slot, &folder, &program);
+        orphans::bury();
         let milliseconds = |time: Duration| u64::try_from(time.as_millis()).unwrap_or(u64::MAX);
         let times = (milliseconds(outcome.compile), milliseconds(outcome.run));
         self.finish(waiting, &text, &outcome.verdict, times)?;

@@ -163,6 +163,9 @@ impl Compiler<'_> {
             Some(Limit::Output) if !found.errors.is_empty() => {}
             Some(limit) => return too_expensive(limit),
             None if found.errors.is_empty() => {
+                if let Some(what) = lack_of_tasks(&rustc.stderr) {
+                    return Verdict::HarnessError { what };
+                }
                 let how = rustc.status.map_or_else(|| "unknown".to_owned(), |status| status.to_string());
                 return Verdict::DoesNotCompile { errors: vec![crashed(&how)], left_out: 0 };
             }
@@ -170,6 +173,13 @@ impl Compiler<'_> {
         }
         Verdict::DoesNotCompile { errors: found.errors, left_out: found.left_out }
     }
+}
+
+/// What the compiler says when the system gives it no thread: no source can bring that about.
+fn lack_of_tasks(stderr: &[u8]) -> Option<String> {
+    let text = String::from_utf8_lossy(stderr);
+    let line = text.lines().find(|line| line.contains("Resource temporarily unavailable"))?;
+    Some(format!("the compiler could not start a thread: {}", diagnostics::clean(line, 300)))
 }
 
 fn is_success(finished: &Finished) -> bool {

@@ -34,7 +34,7 @@ pub struct OutputArgs {
     /// A table of corrections (student, check, points, reason), applied on top and shown as such
     #[arg(long, value_name = "CSV")]
     pub overrides: Option<PathBuf>,
-    /// Replace names and numbers everywhere but in key.csv
+    /// Write into the folder `anonymous`, with names and numbers replaced everywhere but in key.csv
     #[arg(long)]
     pub anonymous: bool,
     /// A gradebook exported from Canvas, to be filled in
@@ -74,7 +74,11 @@ impl OutputArgs {
     }
 }
 
-/// Writes everything about the submissions `ids` into `out`.
+/// The folder for results without names.
+const ANONYMOUS: &str = "anonymous";
+
+/// Writes everything about the submissions `ids` into `out`. Without names it goes into a folder in there: beside it the
+/// journal and the log name everybody.
 ///
 /// # Errors
 ///
@@ -98,10 +102,7 @@ pub fn write(
             }
         }
     }
-    // With names elsewhere replaced, ids would tell who is who.
-    if !options.anonymous {
-        whole_file::write(&out.join("times.csv"), times.as_bytes())?;
-    }
+    whole_file::write(&out.join("times.csv"), times.as_bytes())?;
     let options = Options { groups: groups(&fingerprints, exercise), ..options };
     let records = || -> io::Result<Box<dyn Iterator<Item = io::Result<Record>>>> {
         let entries = journal.entries().map_err(io::Error::other)?;
@@ -111,6 +112,7 @@ pub fn write(
         });
         Ok(Box::new(records))
     };
+    let out = if options.anonymous { &out.join(ANONYMOUS) } else { out };
     Ok(results::write_all(out, &journal.header().info, &records, &options)?)
 }
 
@@ -143,5 +145,6 @@ pub fn in_words(summary: &Summary, out: &Path) -> String {
     for line in attention {
         text += &format!("Look at this: {line}\n");
     }
-    text + &format!("Everything is in {}: begin with report.html.\n", out.display())
+    let folder = summary.files.first().and_then(|file| file.parent()).unwrap_or(out);
+    text + &format!("Everything is in {}: begin with report.html.\n", folder.display())
 }

@@ -19,7 +19,7 @@ use crate::limits::LimitArgs;
 use crate::log::Log;
 use crate::marker::{Marker, Protection};
 use crate::progress::Progress;
-use crate::{Ended, Error, digest, workspace};
+use crate::{Ended, Error, digest, orphans, workspace};
 
 /// Marks a folder of submissions, or a zip of it
 #[derive(Args, Clone, Debug)]
@@ -81,6 +81,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 ///
 /// When something around the submissions fails. What is marked by then is kept.
 pub fn run(arguments: &GradeArgs, stop: &Arc<AtomicBool>) -> Result<Ended, Error> {
+    orphans::adopt();
     let batch = Batch::open(&arguments.submissions, &Wanted::exercise(arguments.exercise.name))?;
     let out = &arguments.out;
     fs::create_dir_all(out).map_err(|error| Error::write(out, error))?;

@@ -22,6 +22,7 @@ pub mod log;
 pub mod mark;
 pub mod marker;
 pub mod merge;
+mod orphans;
 pub mod picture;
 mod progress;
 pub mod submit;

@@ -241,6 +241,26 @@ fn gradescope_gets_an_archive_and_a_result() {
 }
 
 #[test]
+fn results_without_names_hold_no_name() {
+    let evening = Evening::new(3);
+    evening.grade("out", &["--anonymous"]).succeeds().says("anonymous");
+    let folder = evening.path("out/anonymous");
+    let mut files = vec![folder.clone()];
+    let mut checked = 0;
+    while let Some(path) = files.pop() {
+        if path.is_dir() {
+            files.extend(fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path()));
+        } else if path != folder.join("key.csv") {
+            let text = path.display().to_string() + &String::from_utf8_lossy(&fs::read(&path).unwrap());
+            assert!(!text.contains("Student1") && !text.contains("300000001"), "{}", path.display());
+            checked += 1;
+        }
+    }
+    assert!(checked > 8, "{checked}");
+    assert!(fs::read_to_string(folder.join("key.csv")).unwrap().contains("300000001"));
+}
+
+#[test]
 fn sources_are_written_for_tools_that_look_for_copies() {
     let evening = Evening::new(2);
     evening.grade("out", &["--sources"]).succeeds();
