@@ -242,9 +242,12 @@ impl End {
 
     /// Whether the last words are those of Rust's or LLVM's allocator when the system gives no more.
     fn gave_up(&self, stderr: &[u8]) -> bool {
-        let last = String::from_utf8_lossy(&stderr[stderr.len().saturating_sub(2000)..]);
-        let rust = last.contains("memory allocation of ") && last.contains(" bytes failed");
-        self.status.is_some_and(|status| !status.success())
-            && (rust || last.contains("LLVM ERROR: out of memory"))
+        // A whole line, which no message that quotes a source is. What happened on the way there may follow.
+        let mut lines = stderr.split(|byte| *byte == b'\n').map(String::from_utf8_lossy);
+        let said = |line: std::borrow::Cow<'_, str>| {
+            line.starts_with("memory allocation of ") && line.ends_with(" bytes failed")
+                || line.ends_with("LLVM ERROR: out of memory")
+        };
+        self.status.is_some_and(|status| !status.success()) && lines.any(said)
     }
 }
