@@ -5,7 +5,7 @@ mod support;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
 use support::{Harness, submissions};
@@ -129,6 +129,34 @@ fn a_run_is_not_overwritten_and_goes_on_when_asked_to() {
     let log = fs::read_to_string(evening.path("out/log.txt")).unwrap();
     let times = |id: &str| log.lines().filter(|line| line.contains(&format!(" {id}: "))).count();
     assert_eq!([0, 1, 2, 3].map(|n| times(&format!("30000000{n}_Student{n}"))), [2, 1, 1, 1], "{log}");
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_stops_cleanly_and_the_run_goes_on() {
+    use nix::sys::signal::{Signal, kill};
+    use nix::unistd::Pid;
+
+    let evening = Evening::new(16);
+    let out = evening.path("out");
+    let mut command = Harness::grade(&evening.given(), &out);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+    // The first line is the head of the run.
+    let lines = || fs::read_to_string(out.join("journal.jsonl")).unwrap_or_default().lines().count();
+    while lines() < 3 {
+        assert!(child.try_wait().unwrap().is_none(), "it ended before anything was marked");
+        std::thread::yield_now();
+    }
+    kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("of 16 submissions are marked") && said.contains("--resume"), "{said}");
+    assert!(!out.join("results.json").exists() && !out.join(".scratch").exists());
+
+    evening.grade("out", &["--resume"]).succeeds();
+    let grades = fs::read_to_string(out.join("grades.csv")).unwrap();
+    assert_eq!(grades.lines().count(), 17, "{grades}");
 }
 
 #[test]
