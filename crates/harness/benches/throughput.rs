@@ -51,6 +51,29 @@ fn main() {
         "processor time, to bare rustc: {:.2} (aim: at most 1.3)",
         cpu.as_secs_f64() / bare.as_secs_f64()
     );
+    println!("endless loops, to their limits over the jobs: {:.2} (aim: at most 1)", loops(folder.path()));
+}
+
+/// How much longer a batch takes with endless loops in it, as a share of what their limits allow.
+fn loops(folder: &Path) -> f64 {
+    const LOOPING: usize = 6;
+    /// Two seconds for the first check, a tenth of it for the eleven others and the whole motion.
+    const LIMIT: f64 = 2.0 + 12.0 * 0.2;
+    let given = folder.join("some with loops");
+    submissions::write(&given, 60);
+    let mark = |out: &str| {
+        let output = Harness::grade(&given, &folder.join(out)).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    };
+    let (without, _) = measured(|| mark("without loops"));
+    let looping =
+        submissions::solution_with("    match joint.parent {", "    loop {}\n    match joint.parent {");
+    for number in 0..LOOPING {
+        let source = format!("{looping}\nconst _: usize = {number};\n");
+        fs::write(given.join(format!("looping{number}.rs")), source).unwrap();
+    }
+    let (with, _) = measured(|| mark("with loops"));
+    (with.as_secs_f64() - without.as_secs_f64()) / (LOOPING as f64 * LIMIT / 2.0)
 }
 
 /// Time by the clock, and processor time of the processes that ended meanwhile.
