@@ -161,6 +161,26 @@ fn damaged_data_is_refused() {
 }
 
 #[test]
+fn a_file_that_reaches_into_the_list_is_refused() {
+    let mut bytes = zip(&[good()]);
+    let list_start = bytes.windows(4).position(|four| four == b"PK\x01\x02").unwrap();
+    // What follows the end of the data would not matter to whoever unpacks it.
+    for at in [18, list_start + 20] {
+        bytes[at] += 10;
+    }
+    assert_eq!(code(hand_in("300000001_TerryFox.zip", &bytes)), "archive_damaged");
+}
+
+#[test]
+fn data_that_goes_on_without_giving_anything_is_refused() {
+    let mut member = good();
+    // Blocks of no bytes (RFC 1951, section 3.2.4).
+    let nothing = b"\0\0\0\xff\xff".repeat(100_000);
+    member.data = [&nothing[..], &member.data[..]].concat();
+    assert_eq!(refuses(&[member]), "too_large");
+}
+
+#[test]
 fn an_archive_that_was_cut_off_is_refused_wherever_it_was_cut() {
     let whole = zip(&[good(), Member::stored("notes.txt", "notes")]);
     for len in 1..whole.len() {

@@ -122,6 +122,9 @@ fn a_folder_around_all_submissions_is_looked_through() {
 
 #[test]
 fn one_folder_with_one_submission_is_that_submission() {
+    let folders = [("300000003_E/a/fk.rs", CODE.into()), ("300000003_E/b/notes.txt", vec![])];
+    assert_eq!(ids(&open(folder_of(&folders).path())), ["300000003_E"]);
+    assert_eq!(ids(&open(&zip_of(&folders, "").1)), ["300000003_E"]);
     for path in ["300000003_EmmyNoether/fk.rs", "emmy/exercises/fk/src/fk.rs", "emmy/src/fk.rs"] {
         let folder = folder_of(&[(path, CODE.into())]);
         let batch = open(folder.path());

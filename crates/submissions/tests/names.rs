@@ -155,6 +155,16 @@ fn an_id_does_not_depend_on_who_else_hands_in() {
 }
 
 #[test]
+fn names_that_give_one_id_get_a_hash_each() {
+    for names in [["A.zip", "A.rs"], ["A.zip", "a.zip"]] {
+        let ids: Vec<String> = entries(&names).into_iter().map(|entry| entry.id).collect();
+        assert!(ids.iter().all(|id| id.len() == "A-12345678".len()), "{ids:?}");
+        let other_way = entries(&[names[1], names[0]]).into_iter().map(|entry| entry.id);
+        assert_eq!(ids, other_way.collect::<Vec<_>>());
+    }
+}
+
+#[test]
 fn the_order_is_that_of_the_ids() {
     let ids: Vec<String> =
         entries(&["b.rs", "a.rs", "C.rs", "10.rs", "9.rs"]).into_iter().map(|e| e.id).collect();
