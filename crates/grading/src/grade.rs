@@ -11,7 +11,7 @@ use crate::{
 
 /// Asks `subject` everything about one part. Each check has `limit` for all its cases together; when a case fails or
 /// the time is over, the check is lost and the next one is asked. Once the time was over, the checks that follow have
-/// a tenth of it: what loops once mostly loops again.
+/// less of it: what loops once mostly loops again.
 pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) -> PartReport {
     let full_limit = limit;
     let mut limit = limit;
@@ -34,7 +34,8 @@ pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) 
 
 /// How long a check may take when another one had `limit` and was not ready.
 pub fn after_time_out(limit: Duration) -> Duration {
-    limit / 10
+    // A worker has to be started in this time, too, on a machine that may be busy.
+    (limit / 10).max(Duration::from_millis(500)).min(limit)
 }
 
 /// The answers to a check's cases, up to the first that failed.

@@ -28,7 +28,8 @@ pub struct LimitArgs {
     /// Processor time of the student's functions, in seconds
     #[arg(long, value_name = "SECONDS", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=3600))]
     pub run_cpu: u64,
-    /// Time for each check by the clock, in seconds; after the first that takes longer, each has a tenth of it
+    /// Time for each check by the clock, in seconds; after the first that takes longer, each has a tenth of it, or half a
+    /// second
     #[arg(long, value_name = "SECONDS", default_value_t = 2.0, value_parser = seconds)]
     pub run_wall: f64,
     /// Memory of the student's functions, in MiB of address space

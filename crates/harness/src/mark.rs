@@ -24,7 +24,7 @@ pub struct Examiner<'a> {
     pub sandbox: &'a Sandbox,
     /// What a worker may use.
     pub limits: Limits,
-    /// How long a check may take. After the first that takes longer, each has a tenth of it.
+    /// How long a check may take. After the first that takes longer, each has less ([`after_time_out`]).
     pub patience: Duration,
 }
 
