@@ -157,15 +157,15 @@ impl Compiler<'_> {
             (self.toolchain.sysroot.as_path(), "rust"),
             (self.kit.dependencies.as_path(), "libraries"),
         ];
+        if let Some(what) = machine_trouble(rustc) {
+            return Verdict::HarnessError { what };
+        }
         let found = diagnostics::read(&rustc.stderr, &self.exercise.path(), &hide);
         match &rustc.limit {
             // Errors without end are errors all the same.
             Some(Limit::Output) if !found.errors.is_empty() => {}
             Some(limit) => return too_expensive(limit),
             None if found.errors.is_empty() => {
-                if let Some(what) = lack_of_tasks(&rustc.stderr) {
-                    return Verdict::HarnessError { what };
-                }
                 let how = rustc.status.map_or_else(|| "unknown".to_owned(), |status| status.to_string());
                 return Verdict::DoesNotCompile { errors: vec![crashed(&how)], left_out: 0 };
             }
@@ -175,11 +175,22 @@ impl Compiler<'_> {
     }
 }
 
-/// What the compiler says when the system gives it no thread: no source can bring that about.
-fn lack_of_tasks(stderr: &[u8]) -> Option<String> {
-    let text = String::from_utf8_lossy(stderr);
-    let line = text.lines().find(|line| line.contains("Resource temporarily unavailable"))?;
-    Some(format!("the compiler could not start a thread: {}", diagnostics::clean(line, 300)))
+/// Trouble that no source can bring about: the machine has no thread, no room or no memory left. It must not cost points.
+fn machine_trouble(finished: &Finished) -> Option<String> {
+    if finished.limit.is_some() {
+        return None;
+    }
+    #[cfg(unix)]
+    if finished.status.is_some_and(|status| std::os::unix::process::ExitStatusExt::signal(&status) == Some(9))
+    {
+        return Some("the system ended the compiler, perhaps for lack of memory".to_owned());
+    }
+    let words = ["Resource temporarily unavailable", "No space left on device", "Disk quota exceeded"];
+    let text = String::from_utf8_lossy(&finished.stderr);
+    // Where the source is quoted, the words may be the student's.
+    let is_own = |line: &&str| !line.contains("\"spans\":[{") && words.iter().any(|word| line.contains(word));
+    let line = text.lines().find(is_own)?;
+    Some(format!("the compiler or the linker ran out of something: {}", diagnostics::clean(line, 300)))
 }
 
 fn is_success(finished: &Finished) -> bool {
@@ -235,6 +246,9 @@ fn crashed(how: &str) -> CompileError {
 
 /// What compiles also links, unless the code asks the linker for something.
 fn link_verdict(linker: &Finished) -> Verdict {
+    if let Some(what) = machine_trouble(linker) {
+        return Verdict::HarnessError { what };
+    }
     match &linker.limit {
         Some(limit) => too_expensive(limit),
         None => Verdict::DoesNotCompile {
@@ -246,5 +260,40 @@ fn link_verdict(linker: &Finished) -> Verdict {
             }],
             left_out: 0,
         },
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::ExitStatus;
+
+    use super::*;
+
+    fn finished(stderr: &str, status: i32) -> Finished {
+        Finished {
+            status: Some(ExitStatus::from_raw(status)),
+            stdout: Vec::new(),
+            stderr: stderr.as_bytes().to_vec(),
+            limit: None,
+            cpu: Duration::ZERO,
+        }
+    }
+
+    #[test]
+    fn a_machine_without_room_costs_no_points() {
+        let full = r#"{"message":"failed to write: No space left on device (os error 28)","level":"error","spans":[]}"#;
+        assert!(machine_trouble(&finished(full, 256)).is_some());
+        assert!(machine_trouble(&finished("ld: final link failed: No space left on device", 256)).is_some());
+        assert!(machine_trouble(&finished("", 9)).is_some(), "killed");
+    }
+
+    #[test]
+    fn the_students_own_words_are_not_taken_for_it() {
+        let own = r#"{"message":"No space left on device","level":"error","spans":[{"line_start":1}]}"#;
+        assert_eq!(machine_trouble(&finished(own, 256)), None);
+        assert_eq!(machine_trouble(&finished("error", 11)), None, "nested too deeply");
+        let limited = Finished { limit: Some(Limit::Memory), ..finished("", 9) };
+        assert_eq!(machine_trouble(&limited), None);
     }
 }

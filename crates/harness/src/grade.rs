@@ -107,14 +107,13 @@ pub fn run(arguments: &GradeArgs, stop: &Arc<AtomicBool>) -> Result<Ended, Error
     let marker =
         Marker::new(&workspace::find()?, arguments.exercise, seed, limits, protection, scratch.path())?;
     let header = header(&marker, &batch, arguments.shard);
+    let options = arguments.output.read(&header.info)?;
+    let mine = select(&batch, arguments)?;
     let journal = match earlier {
         Some(journal) => unchanged(journal, &header, out)?,
         None => Journal::begin(out, header)?,
     };
-
-    let options = arguments.output.read(&journal.header().info)?;
     let log = Log::open(out)?;
-    let mine = select(&batch, arguments)?;
     let todo = still_to_do(&batch, &journal, &mine, arguments)?;
     log.say(&format!("{} of {} submissions to mark, {}", todo.len(), mine.len(), marker.sandbox.layers()))?;
     let progress = Progress::new(mine.len(), mine.len() - todo.len());
@@ -131,6 +130,7 @@ pub fn run(arguments: &GradeArgs, stop: &Arc<AtomicBool>) -> Result<Ended, Error
     };
     let finished = jobs.run(&todo, arguments.jobs.unwrap_or_else(processors))?;
     progress.end();
+    journal.sync()?;
     if !finished {
         log.say("stopped")?;
         return Ok(Ended::Stopped { done: journal.ids().len(), of: mine.len() });

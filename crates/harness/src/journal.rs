@@ -127,6 +127,15 @@ impl Journal {
         Ok(())
     }
 
+    /// Makes sure that all of it is on the disk.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot be written.
+    pub fn sync(&self) -> Result<(), Error> {
+        self.state().file.sync_all().map_err(|error| Error::write(&self.path, error))
+    }
+
     /// What is written about this submission, if it is done.
     ///
     /// # Errors

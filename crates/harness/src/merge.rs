@@ -48,6 +48,7 @@ pub fn run(arguments: &MergeArgs) -> Result<ExitCode, Error> {
             merged.append(&done?)?;
         }
     }
+    merged.sync()?;
     Log::open(out)?.say(&format!("merged from {} shares", journals.len()))?;
     let summary = finish::write(out, &merged, &ids, exercise, options)?;
     print!("{}", finish::in_words(&summary, out));
