@@ -90,6 +90,7 @@ pub fn write(
     exercise: &Exercise,
     options: Options,
 ) -> Result<Summary, Error> {
+    results::remove_leftovers(out)?;
     let mut times = "id,compile_ms,run_ms\n".to_owned();
     let mut fingerprints: Vec<(String, Fingerprint)> = Vec::new();
     for done in journal.entries()? {

@@ -14,7 +14,12 @@ use crate::Error;
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let trouble = |error: io::Error| Error::write(path, error);
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(trouble)?;
+    let mut builder = tempfile::Builder::new();
+    let mut file = builder
+        .prefix(results::PART_PREFIX)
+        .suffix(results::PART_SUFFIX)
+        .tempfile_in(folder)
+        .map_err(trouble)?;
     file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(trouble)?;
     make_readable(file.as_file()).map_err(trouble)?;
     file.persist(path).map_err(|error| trouble(error.error))?;

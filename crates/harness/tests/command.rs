@@ -122,8 +122,12 @@ fn a_run_is_not_overwritten_and_goes_on_when_asked_to() {
     evening.grade("out", &[]).fails().says("--resume");
     evening.grade("out", &["--resume", "--run-wall", "3"]).fails().says("another set of limits");
     submissions::write(&evening.given(), 4);
+    // What a killed run leaves where it wrote.
+    let leftovers = ["out/.fk-lab-1.part", "out/feedback/.fk-lab-2.part"].map(|name| evening.path(name));
+    leftovers.iter().for_each(|path| fs::write(path, "half").unwrap());
     fs::write(evening.given().join("300000000_Student0.rs"), submissions::TEMPLATE).unwrap();
     evening.grade("out", &["--resume"]).succeeds();
+    assert!(leftovers.iter().all(|path| !path.exists()));
     let grades = fs::read_to_string(evening.path("out/grades.csv")).unwrap();
     assert_eq!(grades.lines().count(), 5, "{grades}");
     let log = fs::read_to_string(evening.path("out/log.txt")).unwrap();
@@ -185,7 +189,8 @@ fn shares_put_together_are_the_whole() {
 fn what_cannot_be_is_said_before_anything_is_marked() {
     let evening = Evening::new(1);
     evening.grade("out", &["--roster", "no such file.csv"]).fails().says("no such file.csv");
-    evening.grade("out", &["--only", "nobody", "--resume"]).fails().says("nobody");
+    evening.grade("out", &["--only", "nobody"]).fails().says("nobody");
+    assert!(!evening.path("out/journal.jsonl").exists(), "a run was begun");
     run(&mut Harness::grade(Path::new("no such folder"), &evening.path("o"))).fails().says("no such folder");
     let usage = evening.grade("out", &["--shard", "3/2"]);
     assert_eq!(usage.output.status.code(), Some(2));

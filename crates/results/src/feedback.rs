@@ -12,13 +12,14 @@ use std::path::Path;
 use crate::Verdict;
 use crate::book::Book;
 use crate::error::{Error, Filled};
-use crate::files::{Readers, make_folder, write_whole};
+use crate::files::{Readers, make_folder, remove_leftovers, write_whole};
 
 pub use gradescope::gradescope;
 
 /// Writes `ID.md` and `ID.html` for every submission. Who handed in nothing gets none.
 pub(crate) fn write_folder(folder: &Path, book: &Book<'_>) -> Result<(), Error> {
     make_folder(folder)?;
+    remove_leftovers(folder)?;
     book.each(|entry, record| -> Result<(), Error> {
         if matches!(record.verdict, Verdict::Missing) && entry.mark.points.is_none() {
             return Ok(());

@@ -8,6 +8,27 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::error::{Error, Filled};
 
+/// How the names of files begin and end that are not yet whole.
+pub const PART_PREFIX: &str = ".fk-lab-";
+/// See [`PART_PREFIX`].
+pub const PART_SUFFIX: &str = ".part";
+
+/// Removes what a program that was killed has left in `folder`. Nobody else may be writing there.
+///
+/// # Errors
+///
+/// When the folder cannot be read, or a file not be removed.
+pub fn remove_leftovers(folder: &Path) -> Result<(), Error> {
+    for entry in fs::read_dir(folder).map_err(Error::write(folder))? {
+        let path = entry.map_err(Error::write(folder))?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with(PART_PREFIX) && name.ends_with(PART_SUFFIX) {
+            fs::remove_file(&path).map_err(Error::write(&path))?;
+        }
+    }
+    Ok(())
+}
+
 /// Who may read a file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Readers {
@@ -35,7 +56,7 @@ pub(crate) fn write_whole(
 
 fn new_file(folder: &Path, readers: Readers) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
-    builder.prefix(".fk-lab-").suffix(".part");
+    builder.prefix(PART_PREFIX).suffix(PART_SUFFIX);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;

@@ -39,6 +39,7 @@ mod write;
 pub use book::Records;
 pub use error::Error;
 pub use feedback::gradescope;
+pub use files::{PART_PREFIX, PART_SUFFIX, remove_leftovers};
 pub use inputs::{LateList, Overrides, Roster};
 pub use mark::{Change, Flag, Late, Mark, Standing};
 pub use model::{

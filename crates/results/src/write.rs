@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::book::Book;
-use crate::files::{Readers, make_folder, write_whole};
+use crate::files::{Readers, make_folder, remove_leftovers, write_whole};
 use crate::text::count;
 use crate::{
     Error, Flag, Group, LateList, Overrides, Records, Roster, RunInfo, Standing, anonymous, feedback,
@@ -76,6 +76,7 @@ pub fn write_all<'a>(
     }
     let mut book = Book::open(run, records, options)?;
     make_folder(out)?;
+    remove_leftovers(out)?;
     refuse_the_other_kind(out, options.anonymous)?;
     let mut summary = Summary::default();
     let mut written = |name: &str| {
