@@ -9,7 +9,7 @@ use skeleton::Pose;
 use crate::camera::Camera;
 use crate::keys::Action;
 use crate::player::Player;
-use crate::scene::{Look, Scene};
+use crate::scene::{Look, Scene, Style};
 use crate::stage::{MARGIN, Stage};
 use crate::student::Status;
 use crate::texts::{self, Facts};
@@ -172,14 +172,18 @@ impl App {
             help: self.help,
             roomy: size.0 >= 800 && size.1 >= 450,
         };
-        Scene {
+        let mut scene = Scene {
             camera,
             ground: stage.ground(),
-            figures,
-            marks: Vec::new(),
+            style: Style::Lines,
+            size: stage.size(),
+            figures: figures.into_iter().collect(),
             axis_length: stage.axis_length(),
-            panels: texts::panels(&facts),
-        }
+            text_scale: 1.0,
+            ..Scene::default()
+        };
+        texts::panels(&facts, &mut scene.panels);
+        scene
     }
 }
 
@@ -234,11 +238,9 @@ mod tests {
     }
 
     fn words(scene: &Scene) -> String {
-        let lines = scene.panels.iter().flat_map(|panel| &panel.lines).map(|line| match line {
-            Line::Heading(text) | Line::Text(text) | Line::Trouble(text) | Line::Legend(_, text) => {
-                text.clone()
-            }
-            Line::Key(key, text) => format!("{key} {text}"),
+        let lines = scene.panels.iter().flat_map(|panel| panel.lines()).map(|(line, text)| match line {
+            Line::Key(key) => format!("{key} {text}"),
+            _ => text.to_owned(),
         });
         lines.collect::<Vec<_>>().join("\n")
     }

@@ -16,7 +16,7 @@ const NEAREST: f32 = 1e-30;
 const FARTHEST: f32 = 1e30;
 
 /// A camera that looks at a point and circles around it. It never rolls: the horizon stays level.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Camera {
     /// The point in the middle of the picture, in world units.
     pub target: Vec3,

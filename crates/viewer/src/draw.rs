@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::camera::{Spot, View};
 use crate::canvas::{Canvas, Color, Pen, Typeface, Weight};
 use crate::panel;
-use crate::scene::{Figure, Look, Mark, Scene, Side, Tint};
+use crate::scene::{Figure, Look, Mark, Off, Scene, Side, Tint};
 
 /// Draws scenes. Keeps what is slow to make: the letters.
 #[derive(Default)]
@@ -121,6 +121,10 @@ pub fn color_of(tint: Tint) -> Color {
         Tint::Bone(Side::Left) => Color(0xD9_7A_18),
         Tint::Bone(Side::Right) => Color(0x2F_7F_D0),
         Tint::Bone(Side::Middle) => Color(0x39_43_50),
+        Tint::Off(Off::Right) => Color(0x8A_2B_D8),
+        Tint::Off(Off::Little) => Color(0xFF_E4_5C),
+        Tint::Off(Off::Some) => Color(0xE0_44_2E),
+        Tint::Off(Off::Much) => Color(0x3A_0A_0A),
         Tint::Ghost => Color(0x0E_8F_83),
         Tint::X => Color(0xC8_1E_1E),
         Tint::Y => Color(0x2F_B3_44),
@@ -166,13 +170,14 @@ impl Strokes {
     fn figure(&mut self, figure: &Figure, axis_length: f32) {
         let (width, opacity, forward) = match figure.look {
             Look::Solid => (3.5, 1.0, 1.0),
+            Look::Dimmed => (3.5, 0.4, 1.0),
             Look::Ghost => (3.0, 0.55, GHOST_BACK),
             Look::Echo(strength) => (2.5, 0.55 * strength, GHOST_BACK),
         };
         for bone in &figure.bones {
             let tint = match figure.look {
                 Look::Ghost => Tint::Ghost,
-                Look::Solid | Look::Echo(_) => Tint::Bone(bone.side),
+                Look::Solid | Look::Dimmed | Look::Echo(_) => Tint::Bone(bone.side),
             };
             self.line(bone.from, bone.to, Pen { width, color: color_of(tint), opacity }, forward);
         }
@@ -185,7 +190,7 @@ impl Strokes {
         }
         if figure.look == Look::Solid {
             // About as large as a joint of a body, but never a dot and never a blot.
-            let squares = figure.joints.iter().filter_map(|joint| self.view.project(*joint));
+            let squares = figure.joints.iter().filter_map(|joint| self.view.project(joint.place));
             self.list.extend(squares.map(|mut spot| {
                 let side = (0.3 * axis_length * spot.nearness * self.view.focal).clamp(5.0, 9.0);
                 spot.nearness *= SQUARES_FORWARD;
@@ -240,7 +245,7 @@ mod tests {
     use super::*;
     use crate::camera::Camera;
     use crate::canvas::Ground;
-    use crate::scene::{Axes, Bone, Corner, Line, Panel};
+    use crate::scene::{Axes, Bone, Corner, Dot, Line, Style};
 
     /// Draws with one painter for all tests: reading the fonts takes longest.
     fn draw(scene: &Scene, canvas: &mut Canvas) {
@@ -252,15 +257,17 @@ mod tests {
         Scene {
             camera: Camera { target: Vec3::ZERO, azimuth: 0.3, elevation: 0.2, distance: 10.0 },
             ground: Ground { height: 0.0, cell: 1.0 },
-            figures,
-            marks: Vec::new(),
+            style: Style::Lines,
+            size: 3.0,
+            figures: figures.into_iter().collect(),
             axis_length: 0.5,
-            panels: Vec::new(),
+            text_scale: 1.0,
+            ..Scene::default()
         }
     }
 
     fn figure(joints: Vec<Vec3>) -> Figure {
-        Figure { look: Look::Solid, bones: Vec::new(), joints, axes: Vec::new() }
+        Figure { joints: joints.into_iter().map(Dot::from).collect(), ..Figure::default() }
     }
 
     proptest! {
@@ -296,14 +303,19 @@ mod tests {
             let rotation = Quat::from_xyzw(raw[6], raw[7], raw[8], raw[9]);
             let mut scene = scene(vec![Figure {
                 look: Look::Solid,
-                bones: vec![Bone { from: a, to: b, side: Side::Left }, Bone { from: b, to: Vec3::ZERO, side: Side::Middle }],
-                joints: vec![a, b],
+                bones: vec![
+                    Bone { from: a, to: b, side: Side::Left, radius: raw[10], joints: (0, 1) },
+                    Bone { from: b, to: Vec3::ZERO, side: Side::Middle, radius: 0.2, joints: (1, 2) },
+                ],
+                joints: vec![a.into(), b.into()],
                 axes: vec![Axes { origin: a, rotation, lettered: true }],
             }]);
             scene.axis_length = raw[10];
             scene.marks.push(Mark { from: Some(a), to: b, text: "x".into(), text_offset: (-3, 2), tint: Tint::Ink });
-            let text = vec![Line::Heading("long ".repeat(20)), Line::Key("k", "word ".repeat(9))];
-            scene.panels.push(Panel { corner: Corner::BottomRight, lines: text });
+            let panel = scene.panels.add();
+            panel.begin(Corner::BottomRight);
+            panel.add(Line::Heading, "long ".repeat(20));
+            panel.add(Line::Key("k"), "word ".repeat(9));
             let mut canvas = Canvas::new(size.0, size.1);
             draw(&scene, &mut canvas);
             scene.camera.distance = raw[11];
@@ -314,7 +326,13 @@ mod tests {
 
     #[test]
     fn joints_that_share_a_place_look_like_one() {
-        let bone = Bone { from: Vec3::ZERO, to: Vec3::new(1.0, 1.2, 0.3), side: Side::Left };
+        let bone = Bone {
+            from: Vec3::ZERO,
+            to: Vec3::new(1.0, 1.2, 0.3),
+            side: Side::Left,
+            radius: 0.1,
+            joints: (0, 1),
+        };
         let axes = Axes { origin: bone.to, rotation: Quat::from_rotation_x(0.4), lettered: false };
         let drawn = |count: usize| {
             let (bones, axes) = (vec![bone; count], vec![axes; count]);
@@ -341,7 +359,7 @@ mod tests {
                 let origin = aside * far;
                 assert!(view.project(origin).is_some());
                 let axes = vec![Axes { origin, rotation: Quat::IDENTITY, lettered: true }];
-                scene.figures.push(Figure { axes, ..figure(Vec::new()) });
+                *scene.figures.add() = Figure { axes, ..figure(Vec::new()) };
                 let mark = Mark {
                     from: None,
                     to: origin,
@@ -359,7 +377,10 @@ mod tests {
 
     #[test]
     fn a_near_bone_hides_a_far_one_and_the_ghost_never_hides_the_figure() {
-        let bone = |z: f32, side| Bone { from: Vec3::new(-1.0, 0.0, z), to: Vec3::new(1.0, 0.0, z), side };
+        let bone = |z: f32, side| {
+            let (from, to) = (Vec3::new(-1.0, 0.0, z), Vec3::new(1.0, 0.0, z));
+            Bone { from, to, side, radius: 0.1, joints: (0, 1) }
+        };
         let solid = Figure { bones: vec![bone(1.0, Side::Left), bone(-1.0, Side::Right)], ..figure(vec![]) };
         let ghost = Figure { look: Look::Ghost, bones: vec![bone(1.0, Side::Left)], ..figure(vec![]) };
         for figures in [vec![solid.clone(), ghost.clone()], vec![ghost, solid]] {

@@ -16,22 +16,25 @@ const BACKDROP: Color = Color(0x1D_24_2E);
 const BACKDROP_OPACITY: f32 = 0.82;
 const PLAIN: Color = Color(0xE6_EA_EE);
 const QUIET: Color = Color(0xB9_C2_CC);
+const RIGHT: Color = Color(0x7F_D4_FF);
 const WARNING: Color = Color(0xFF_C2_4B);
 
 /// Lays the panels over the picture. Where they do not fit they are cut at its border.
 pub fn draw(panels: &[Panel], typeface: &mut Typeface, canvas: &mut Canvas) {
     let (width, height) = (canvas.size().0 as i32, canvas.size().1 as i32);
-    let mut top = MARGIN;
+    let mut tops = [MARGIN; 2];
     let mut bottoms = [height - MARGIN; 2];
-    for panel in panels.iter().filter(|panel| !panel.lines.is_empty()) {
+    for panel in panels.iter().filter(|panel| panel.lines().next().is_some()) {
         let layout = Layout::new(panel, typeface, (width - 2 * MARGIN).min(WIDEST));
         let (left, upper) = match panel.corner {
-            Corner::TopLeft => (MARGIN, top),
+            Corner::TopLeft => (MARGIN, tops[0]),
+            Corner::TopRight => (width - MARGIN - layout.width, tops[1]),
             Corner::BottomLeft => (MARGIN, bottoms[0] - layout.height),
             Corner::BottomRight => (width - MARGIN - layout.width, bottoms[1] - layout.height),
         };
         match panel.corner {
-            Corner::TopLeft => top += layout.height + MARGIN,
+            Corner::TopLeft => tops[0] += layout.height + MARGIN,
+            Corner::TopRight => tops[1] += layout.height + MARGIN,
             Corner::BottomLeft => bottoms[0] -= layout.height + MARGIN,
             Corner::BottomRight => bottoms[1] -= layout.height + MARGIN,
         }
@@ -65,27 +68,29 @@ enum Lead {
 
 impl Layout {
     fn new(panel: &Panel, typeface: &mut Typeface, widest: i32) -> Layout {
-        let keys = panel.lines.iter().filter_map(|line| match line {
-            Line::Key(key, _) => Some(typeface.width(key, TEXT_SIZE, Weight::Bold) as i32),
+        let keys = panel.lines().filter_map(|(line, _)| match line {
+            Line::Key(key) => Some(typeface.width(key, TEXT_SIZE, Weight::Bold) as i32),
             _ => None,
         });
         let column = keys.max().unwrap_or(0) + 16;
         let mut layout = Layout { rows: Vec::new(), width: 0, height: 0, column };
-        for line in &panel.lines {
-            layout.add(line, typeface, widest - 2 * PADDING);
+        for (line, text) in panel.lines() {
+            layout.add(line, text, typeface, widest - 2 * PADDING);
         }
         layout.width += 2 * PADDING;
         layout.height = layout.rows.len() as i32 * LINE_HEIGHT + 2 * PADDING - 4;
         layout
     }
 
-    fn add(&mut self, line: &Line, typeface: &mut Typeface, room: i32) {
-        let (mut lead, text, indent, weight, color) = match line {
-            Line::Heading(text) => (Lead::Nothing, text, 0, Weight::Bold, Color::WHITE),
-            Line::Text(text) => (Lead::Nothing, text, 0, Weight::Regular, PLAIN),
-            Line::Trouble(text) => (Lead::Nothing, text, 0, Weight::Regular, WARNING),
-            Line::Key(key, text) => (Lead::Key(key), text, self.column, Weight::Regular, QUIET),
-            Line::Legend(tint, text) => (Lead::Swatch(color_of(*tint)), text, SWATCH, Weight::Regular, QUIET),
+    fn add(&mut self, line: Line, text: &str, typeface: &mut Typeface, room: i32) {
+        let (mut lead, indent, weight, color) = match line {
+            Line::Heading => (Lead::Nothing, 0, Weight::Bold, Color::WHITE),
+            Line::Text => (Lead::Nothing, 0, Weight::Regular, PLAIN),
+            Line::Quiet => (Lead::Nothing, 0, Weight::Regular, QUIET),
+            Line::Right => (Lead::Nothing, 0, Weight::Regular, RIGHT),
+            Line::Trouble => (Lead::Nothing, 0, Weight::Regular, WARNING),
+            Line::Key(key) => (Lead::Key(key), self.column, Weight::Regular, QUIET),
+            Line::Legend(tint) => (Lead::Swatch(color_of(tint)), SWATCH, Weight::Regular, QUIET),
         };
         for text in typeface.wrap(text, TEXT_SIZE, weight, (room - indent) as f32) {
             let end = indent + typeface.width(text.trim_end(), TEXT_SIZE, weight).ceil() as i32;

@@ -9,7 +9,7 @@ use skeleton::{FkFunctions, JointId, Motion, Pose, PositionChannels, Transform, 
 use crate::app::{App, Shown};
 use crate::canvas::{Canvas, Color, Weight};
 use crate::draw::Painter;
-use crate::scene::{Axes, Figure, Look, Mark, Scene, Side, Tint};
+use crate::scene::{Axes, Dot, Figure, Look, Mark, Scene, Side, Style, Tint};
 use crate::stage::Stage;
 use crate::student::Status;
 
@@ -146,7 +146,8 @@ impl Studio {
         let mut figure = self.stage.figure(&pose, Look::Echo(0.8), false);
         figure.axes = vec![Axes { origin: parent.position, rotation: parent.rotation, lettered: true }];
         let joints = vec![parent.position, joint, origin];
-        let squares = Figure { look: Look::Solid, bones: Vec::new(), joints, axes: Vec::new() };
+        let joints = joints.into_iter().map(Dot::from).collect();
+        let squares = Figure { joints, ..Figure::default() };
         let mut scene = self.scene(vec![figure, squares], marks);
         (scene.camera.azimuth, scene.camera.elevation) = (1.35, 0.1);
         let mut points = vec![origin, unturned];
@@ -192,6 +193,7 @@ impl Studio {
         // From ahead of the runner, so that the echoes stand behind, and to the right of it.
         let runner = scene.figures.last().map(|figure| figure.joints.clone()).unwrap_or_default();
         (scene.camera.azimuth, scene.camera.elevation) = (scene.camera.azimuth - AHEAD, 0.12);
+        let runner: Vec<Vec3> = runner.into_iter().map(|dot| dot.place).collect();
         scene.camera.frame(&runner, SIZE, 0.06, 0.0);
         scene.camera.target += scene.camera.view(SIZE).right * ASIDE * self.stage.size();
         self.draw(&scene, SIZE)
@@ -202,10 +204,13 @@ impl Studio {
         Scene {
             camera: self.stage.camera(self.stage.anchor(0), &[], SIZE),
             ground: self.stage.ground(),
-            figures,
+            style: Style::Lines,
+            size: self.stage.size(),
+            figures: figures.into_iter().collect(),
             marks,
             axis_length: self.stage.axis_length(),
-            panels: Vec::new(),
+            text_scale: 1.0,
+            ..Scene::default()
         }
     }
 

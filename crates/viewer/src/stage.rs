@@ -180,12 +180,14 @@ impl Stage {
 
     /// The skeleton in `pose`. `axes` says whether its joints get axes.
     pub fn figure(&self, pose: &Pose, look: Look, axes: bool) -> Figure {
-        let mut figure = Figure { look, bones: Vec::new(), joints: Vec::new(), axes: Vec::new() };
+        let mut figure = Figure { look, ..Figure::default() };
         for (joint, transform) in self.motion.skeleton().joints().iter().zip(pose.transforms()) {
-            figure.joints.push(transform.position);
+            figure.joints.push(transform.position.into());
             if let Some(parent) = joint.parent {
                 let side = self.sides[joint.id.0];
-                figure.bones.push(Bone { from: pose[parent].position, to: transform.position, side });
+                let (from, to) = (pose[parent].position, transform.position);
+                let (radius, joints) = (0.02 * self.size, (parent.0, joint.id.0));
+                figure.bones.push(Bone { from, to, side, radius, joints });
             }
             if axes && !joint.is_end_site {
                 let (origin, rotation) = (transform.position, transform.rotation);

@@ -5,7 +5,7 @@ use skeleton::Pose;
 
 use crate::app::Shown;
 use crate::keys;
-use crate::scene::{Corner, Line, Panel, Side, Tint};
+use crate::scene::{Corner, Line, Panel, Pool, Side, Tint};
 use crate::stage::Stage;
 use crate::student::Status;
 
@@ -29,41 +29,49 @@ pub struct Facts<'a> {
 }
 
 /// All texts, each in its corner.
-pub fn panels(facts: &Facts) -> Vec<Panel> {
-    let mut panels = vec![Panel { corner: Corner::TopLeft, lines: state(facts) }];
+pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) {
+    panels.clear();
+    let mut add = |corner, lines: Vec<Words>| {
+        let panel = panels.add();
+        panel.begin(corner);
+        lines.into_iter().for_each(|(line, text)| panel.add(line, text));
+    };
+    add(Corner::TopLeft, state(facts));
     if facts.help {
-        panels.push(Panel { corner: Corner::TopLeft, lines: help() });
+        add(Corner::TopLeft, help());
     } else {
-        panels.push(Panel { corner: Corner::BottomRight, lines: vec![Line::Key("h", "help".into())] });
+        add(Corner::BottomRight, vec![(Line::Key("h"), "help".into())]);
         if facts.roomy {
-            panels.push(Panel { corner: Corner::BottomLeft, lines: legend(facts) });
+            add(Corner::BottomLeft, legend(facts));
         }
     }
-    panels
 }
 
-fn state(facts: &Facts) -> Vec<Line> {
+type Words = (Line, String);
+
+fn state(facts: &Facts) -> Vec<Words> {
     let motion = facts.stage.motion();
-    let mut lines = vec![Line::Heading(facts.title.to_owned())];
+    let mut lines = vec![(Line::Heading, facts.title.to_owned())];
     let seconds = motion.playable_frame_time();
     match motion.frame_count() {
         0 if motion.skeleton().channel_count() == 0 => {
-            lines.push(Line::Trouble("nothing in this file moves: its rest pose is shown".into()));
+            lines.push((Line::Trouble, "nothing in this file moves: its rest pose is shown".into()));
         }
-        0 => lines.push(Line::Trouble("this file has no frames: its rest pose is shown".into())),
-        1 => lines.push(Line::Text("frame 0 / 1: only one frame, nothing to play".into())),
+        0 => lines.push((Line::Trouble, "this file has no frames: its rest pose is shown".into())),
+        1 => lines.push((Line::Text, "frame 0 / 1: only one frame, nothing to play".into())),
         count => {
             let playing = match facts.playing {
                 true => format!("playing, {} frames per second", rounded(1.0 / seconds)),
                 false => "paused".into(),
             };
             let time = facts.frame as f64 * seconds;
-            lines.push(Line::Text(format!("frame {} / {count}    {time:.2} s    {playing}", facts.frame)));
+            lines.push((Line::Text, format!("frame {} / {count}    {time:.2} s    {playing}", facts.frame)));
         }
     }
-    lines.extend(facts.warnings.iter().map(|warning| Line::Trouble(warning.clone())));
+    lines.extend(facts.warnings.iter().map(|warning| (Line::Trouble, warning.clone())));
     if facts.stage.is_too_coarse() {
-        lines.push(Line::Trouble(
+        lines.push((
+            Line::Trouble,
             "the coordinates in this file are too large for single precision: the figure is distorted".into(),
         ));
     }
@@ -74,7 +82,7 @@ fn state(facts: &Facts) -> Vec<Line> {
 }
 
 /// What cannot be seen of the figure to look at.
-fn undrawn(facts: &Facts) -> Vec<Line> {
+fn undrawn(facts: &Facts) -> Vec<Words> {
     let Some(pose) = facts.solid else { return Vec::new() };
     let whose = match facts.shown {
         Shown::Reference => "the",
@@ -83,31 +91,34 @@ fn undrawn(facts: &Facts) -> Vec<Line> {
     let (joints, outside, lost) = (pose.len(), facts.outside, nowhere(pose));
     let mut lines = Vec::new();
     if outside > 0 {
-        lines.push(Line::Trouble(format!(
-            "{outside} of {whose} {joints} joints are outside of the picture: press f to see all"
-        )));
+        lines.push((
+            Line::Trouble,
+            format!("{outside} of {whose} {joints} joints are outside of the picture: press f to see all"),
+        ));
     }
     if lost > 0 {
-        lines.push(Line::Trouble(format!(
-            "NaN or infinity as the place of {lost} of {whose} {joints} joints: not drawn"
-        )));
+        lines.push((
+            Line::Trouble,
+            format!("NaN or infinity as the place of {lost} of {whose} {joints} joints: not drawn"),
+        ));
     }
     lines
 }
 
-fn functions(facts: &Facts) -> Vec<Line> {
+fn functions(facts: &Facts) -> Vec<Words> {
     let Shown::Student { status, .. } = facts.shown else {
-        return vec![Line::Text("the reference solution's figure".into())];
+        return vec![(Line::Text, "the reference solution's figure".into())];
     };
     let mut lines = Vec::new();
     match status {
-        Status::Compiling => lines.push(Line::Text("compiling your functions…".into())),
-        Status::Asking => lines.push(Line::Text("asking your functions…".into())),
-        Status::Answered => lines.push(Line::Text("your functions' figure".into())),
+        Status::Compiling => lines.push((Line::Text, "compiling your functions…".into())),
+        Status::Asking => lines.push((Line::Text, "asking your functions…".into())),
+        Status::Answered => lines.push((Line::Text, "your functions' figure".into())),
         Status::Failed(trouble) => {
-            lines.push(Line::Trouble(trouble.headline.clone()));
-            lines.extend(trouble.details.iter().map(|line| Line::Trouble(line.clone())));
-            lines.push(Line::Text(
+            lines.push((Line::Trouble, trouble.headline.clone()));
+            lines.extend(trouble.details.iter().map(|line| (Line::Trouble, line.clone())));
+            lines.push((
+                Line::Text,
                 "Only the goal is shown. After a change to your code, start the viewer again.".into(),
             ));
         }
@@ -116,20 +127,23 @@ fn functions(facts: &Facts) -> Vec<Line> {
 }
 
 /// Whether the student's functions take the right number of angles.
-fn angles(facts: &Facts) -> Option<Line> {
+fn angles(facts: &Facts) -> Option<Words> {
     let Shown::Student { posed: Some(posed), .. } = facts.shown else { return None };
     match (posed.taken, posed.available) {
-        (0, 1..) => Some(Line::Text("part 1 takes no angles of the frame yet".into())),
-        (taken, available) if taken != available => Some(Line::Trouble(format!(
-            "part 1 takes {taken} angles of this frame, which holds {available}: each joint takes its own three, or none"
-        ))),
+        (0, 1..) => Some((Line::Text, "part 1 takes no angles of the frame yet".into())),
+        (taken, available) if taken != available => Some((
+            Line::Trouble,
+            format!(
+                "part 1 takes {taken} angles of this frame, which holds {available}: each joint takes its own three, or none"
+            ),
+        )),
         _ => None,
     }
 }
 
-fn legend(facts: &Facts) -> Vec<Line> {
+fn legend(facts: &Facts) -> Vec<Words> {
     let mut lines = Vec::new();
-    let mut add = |tint, text: &str| lines.push(Line::Legend(tint, text.to_owned()));
+    let mut add = |tint, text: &str| lines.push((Line::Legend(tint), text.to_owned()));
     add(Tint::Joint, "joint");
     if facts.stage.has_sides() {
         add(Tint::Bone(Side::Left), "left");
@@ -146,12 +160,12 @@ fn legend(facts: &Facts) -> Vec<Line> {
         add(Tint::Ghost, "the goal");
     }
     let cell = f64::from(facts.stage.ground().cell);
-    lines.push(Line::Text(format!("grid: {} units of the file", rounded(cell))));
+    lines.push((Line::Text, format!("grid: {} units of the file", rounded(cell))));
     lines
 }
 
-fn help() -> Vec<Line> {
-    keys::help().map(|(name, help)| Line::Key(name, help.to_owned())).collect()
+fn help() -> Vec<Words> {
+    keys::help().map(|(name, help)| (Line::Key(name), help.to_owned())).collect()
 }
 
 /// How many joints have no place.

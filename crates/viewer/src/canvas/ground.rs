@@ -4,7 +4,7 @@ use super::{Canvas, Color};
 use crate::camera::View;
 
 /// A level plane with a grid of squares.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ground {
     /// Its height: the world's Y, in world units.
     pub height: f32,
