@@ -11,9 +11,12 @@ use exam::fk::PosedFrame;
 use parser::bvh;
 use skeleton::PositionChannels;
 
+use crate::answers::Recorded;
 use crate::app::{App, Shown};
 use crate::canvas::{Canvas, MAX_SIDE};
 use crate::draw::Painter;
+use crate::gallery::Gallery;
+use crate::session::Session;
 use crate::stage::Stage;
 use crate::student::{self, Status, Student};
 use crate::worker::Trouble;
@@ -95,8 +98,8 @@ fn view(arguments: &Arguments) -> Result<(), String> {
     let stage = Arc::new(Stage::new(motion, arguments.positions.into()));
     let mut app = App::new(stage.clone(), title, warnings, arguments.size);
     app.go_to(arguments.frame);
-    let student = || Student::start(stage, || worker::compile(&workspace()));
-    window::open(app, arguments.size, (!arguments.solution).then_some(student)).map_err(text)
+    let student = (!arguments.solution).then(|| Student::start(stage, || worker::compile(&workspace())));
+    window::open(Session::new(Gallery::new(vec![app]), student), arguments.size).map_err(text)
 }
 
 /// What is printed of a motion: its name, its skeleton, a summary, and what is odd about the file.
@@ -159,17 +162,14 @@ fn write_picture(
         true => None,
         false => Some(ask_student(&stage, frame)),
     };
-    let status = match &answer {
-        Some(Err(trouble)) => Status::Failed(trouble.clone()),
-        _ => Status::Answered,
-    };
-    let shown = match &answer {
-        None => Shown::Reference,
-        Some(answer) => Shown::Student { posed: answer.as_ref().ok(), status: &status },
-    };
+    let recorded = answer.as_ref().map(|answer| match answer {
+        Ok(posed) => Recorded { poses: [(frame, posed.clone())].into(), ..Recorded::new(Status::Answered) },
+        Err(trouble) => Recorded::new(Status::Failed(trouble.clone())),
+    });
+    let shown = recorded.as_ref().map_or(Shown::Reference, |recorded| Shown::Student(recorded));
     let mut canvas = Canvas::new(arguments.size.0, arguments.size.1);
     Painter::new().draw(&app.scene(shown, canvas.size()), &mut canvas);
-    if let Status::Failed(trouble) = &status {
+    if let Some(Err(trouble)) = &answer {
         eprintln!("{}: the picture shows only the goal", trouble.headline);
     }
     picture::save(&canvas, path)

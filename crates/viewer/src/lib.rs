@@ -5,11 +5,17 @@
 //! seen, and [`draw`] turns it into pixels on a [`canvas`], for the window and for PNG files alike.
 #![deny(missing_docs)]
 
+pub mod answers;
 pub mod app;
+mod blame;
+pub mod board;
 pub mod camera;
 pub mod canvas;
 pub mod command;
 pub mod draw;
+pub mod gallery;
+mod input;
+pub mod keyboard;
 pub mod keys;
 mod panel;
 pub mod picture;
@@ -19,8 +25,13 @@ pub mod print;
 #[cfg(test)]
 mod samples;
 pub mod scene;
+pub mod screen;
+pub mod session;
+mod sides;
 pub mod stage;
 pub mod student;
 mod texts;
+pub mod timeline;
+pub mod upright;
 pub mod window;
 pub mod worker;

@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 use std::sync::Arc;
 
 use skeleton::PositionChannels;
+use viewer::answers::Recorded;
 use viewer::app::{App, Shown};
 use viewer::camera::Spot;
 use viewer::draw::color_of;
@@ -146,8 +147,9 @@ mod png_file {
         assert!(!stderr(&output).contains("only the goal"), "{}", stderr(&output));
         let mut app = App::new(stage, "running.bvh".into(), Vec::new(), SIZE);
         app.go_to(FRAME);
-        let shown = Shown::Student { posed: Some(posed), status: &Status::Answered };
-        let view = app.scene(shown, SIZE).camera.view(SIZE);
+        let recorded =
+            Recorded { poses: [(FRAME, posed.clone())].into(), ..Recorded::new(Status::Answered) };
+        let view = app.scene(Shown::Student(&recorded), SIZE).camera.view(SIZE);
         let spots = posed.pose.transforms().iter().filter_map(|joint| view.project(joint.position));
         let inside = spots
             .filter(|spot| (0.0..SIZE.0 as f32).contains(&spot.x) && (0.0..SIZE.1 as f32).contains(&spot.y));
