@@ -6,10 +6,13 @@
 #![deny(missing_docs)]
 
 pub mod app;
+mod beside;
 pub mod camera;
 pub mod canvas;
 pub mod command;
 pub mod draw;
+pub mod film;
+pub mod frames;
 pub mod keys;
 mod panel;
 pub mod picture;
@@ -19,6 +22,7 @@ pub mod print;
 #[cfg(test)]
 mod samples;
 pub mod scene;
+pub mod sheet;
 pub mod stage;
 pub mod student;
 mod texts;
