@@ -7,14 +7,17 @@
 
 pub mod answers;
 pub mod app;
+mod beside;
 mod blame;
 pub mod board;
 pub mod camera;
 pub mod canvas;
 pub mod command;
 pub mod draw;
-pub mod gallery;
 mod input;
+pub mod film;
+pub mod frames;
+pub mod gallery;
 pub mod keyboard;
 pub mod keys;
 mod panel;
@@ -25,9 +28,10 @@ pub mod print;
 #[cfg(test)]
 mod samples;
 pub mod scene;
+mod sides;
 pub mod screen;
 pub mod session;
-mod sides;
+pub mod sheet;
 pub mod stage;
 pub mod student;
 mod texts;
