@@ -17,6 +17,17 @@ pub struct Session {
 }
 
 impl Session {
+    /// T
+    pub fn open(
+        gallery: Gallery,
+        _sources: Vec<crate::source::Source>,
+        workspace: Option<std::path::PathBuf>,
+    ) -> Session {
+        let stage = gallery.apps()[0].stage().clone();
+        let student = workspace.map(|w| Student::start(stage, move || crate::worker::compile(&w)));
+        Session { gallery, student }
+    }
+
     /// Shows `gallery`. With `student`, the student's functions move the figures; without, the reference's do.
     pub fn new(gallery: Gallery, student: Option<Student>) -> Session {
         Session { gallery, student }

@@ -147,8 +147,7 @@ mod png_file {
         assert!(!stderr(&output).contains("only the goal"), "{}", stderr(&output));
         let mut app = App::new(stage, "running.bvh".into(), Vec::new(), SIZE);
         app.go_to(FRAME);
-        let recorded =
-            Recorded { poses: [(FRAME, posed.clone())].into(), ..Recorded::new(Status::Answered) };
+        let recorded = Recorded { poses: [(FRAME, posed.clone())].into(), ..Recorded::new(Status::Answered) };
         let view = app.scene(Shown::Student(&recorded), SIZE).camera.view(SIZE);
         let spots = posed.pose.transforms().iter().filter_map(|joint| view.project(joint.position));
         let inside = spots
@@ -181,7 +180,8 @@ mod png_file {
         for mode in [&["--png", path.to_str().unwrap()][..], &[]] {
             let output = view(&[&["--solution", "--frame", "1377"], mode].concat());
             assert_eq!(output.status.code(), Some(1));
-            let expected = "running.bvh has no frame 1377: its frames are counted from 0 to 1376\n";
+            let expected =
+                "running.bvh: there is no frame 1377: the motion's frames are counted from 0 to 1376\n";
             assert_eq!(stderr(&output), expected);
         }
         assert!(!path.exists());

@@ -132,12 +132,18 @@ impl App {
         self.aim(anchor, reference, students.map(|_| own), size);
     }
 
+    /// How many frames a trace goes back, the shown one included.
+    pub fn traced_frames(&self) -> usize {
+        let (count, seconds) = (self.stage.frame_count(), self.stage.motion().playable_frame_time());
+        // A float cast keeps to the range of its type.
+        ((TRACE_SECONDS / seconds) as usize).clamp(1, count)
+    }
+
     /// Where the tips of the solid figure have been.
     fn trace(&self, scene: &mut Scene, shown: Shown, frame: &mut skeleton::Frame, past: &mut Pose) {
         let stage = &self.stage;
         let tips = stage.end_sites();
-        let frames = TRACE_SECONDS / stage.motion().playable_frame_time();
-        let most = if frames < stage.frame_count() as f64 { frames as usize } else { stage.frame_count() };
+        let most = self.traced_frames();
         // Every so many frames of the motion, so that points do not crawl along their trace.
         let step = most.div_ceil(TRACE_POINTS).max(1);
         for index in 0..tips.len() {

@@ -27,7 +27,8 @@ pub(super) fn write(
         census.count(reel.picture(index)?);
     }
     let colors = palette::choose(census);
-    let table: Vec<u8> = (0..=palette::MOST).flat_map(|i| colors.get(i).copied().unwrap_or_default()).collect();
+    let table: Vec<u8> =
+        (0..=palette::MOST).flat_map(|i| colors.get(i).copied().unwrap_or_default()).collect();
     let mut dither = Dither::new(&colors);
 
     // No side is longer than `canvas::MAX_SIDE`.

@@ -162,8 +162,7 @@ impl Spread {
 fn settle(points: &[Point], centres: &mut [[f32; 3]]) {
     let mut means = vec![Spread::default(); centres.len()];
     for point in points {
-        let distance =
-            |centre: &[f32; 3]| -> f32 { (0..3).map(|c| (centre[c] - point.at[c]).powi(2)).sum() };
+        let distance = |centre: &[f32; 3]| -> f32 { (0..3).map(|c| (centre[c] - point.at[c]).powi(2)).sum() };
         let mut nearest = (f32::INFINITY, 0);
         for (index, centre) in centres.iter().enumerate() {
             let distance = distance(centre);
