@@ -53,66 +53,99 @@ pub enum Action {
     Quit,
 }
 
-/// Keys and what they do.
+/// One line of the help: some keys that belong together.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The keys' names, for people.
+    pub name: &'static str,
+    /// What they do, for people.
+    pub help: &'static str,
+    /// The keys.
+    pub bindings: &'static [Binding],
+}
+
+/// A key and what it does.
 #[derive(Clone, Copy, Debug)]
 pub struct Binding {
-    /// Any of these.
-    pub keys: &'static [Key],
+    /// The key.
+    pub key: Key,
     /// Whether Shift must be held with it (`Some(true)`), must not be, or does not matter.
     pub shift: Option<bool>,
     /// What happens.
     pub action: Action,
     /// Whether it happens again and again while the key is held.
     pub repeats: bool,
-    /// The keys' names for people.
-    pub name: &'static str,
-    /// What happens, for people.
-    pub help: &'static str,
 }
 
-const NEXT: &[Key] = &[Key::W, Key::Right, Key::Period];
-const PREVIOUS: &[Key] = &[Key::Left, Key::Comma];
-
 /// All keys, in the order of the help.
-pub const BINDINGS: [Binding; 25] = [
-    binding(&[Key::Space], "Space", Action::Play, "play, or pause"),
-    binding(NEXT, "w → .", Action::Step(1), "next frame (hold it to go on)").repeating().shift(false),
-    binding(PREVIOUS, "← ,", Action::Step(-1), "frame before").repeating().shift(false),
-    binding(NEXT, "Shift →", Action::Step(10), "ten frames further").repeating().shift(true),
-    binding(PREVIOUS, "Shift ←", Action::Step(-10), "ten frames back").repeating().shift(true),
-    binding(&[Key::Home], "Home", Action::First, "first frame"),
-    binding(&[Key::End], "End", Action::Last, "last frame"),
-    binding(&[Key::R], "r", Action::Reverse, "play in the other direction"),
-    binding(&[Key::Minus, Key::NumPadMinus], "-", Action::Slower, "slower, down to 0.1×"),
-    binding(&[Key::Equal, Key::NumPadPlus], "=", Action::Faster, "faster, up to 4×"),
-    binding(&[Key::LeftBracket], "[", Action::RangeStart, "play from this frame on (again: from the first)"),
-    binding(&[Key::RightBracket], "]", Action::RangeEnd, "play up to this frame (again: to the last)"),
-    binding(&[Key::O], "o", Action::Loop, "begin again at the end, or stop there"),
-    binding(&[Key::F], "f", Action::Frame, "bring everything into the picture"),
-    binding(&[Key::C], "c", Action::Follow, "move along with the figure, or stay"),
-    binding(&[Key::Tab], "Tab", Action::NextJoint, "look at the next joint").repeating().shift(false),
-    binding(&[Key::Tab], "Shift Tab", Action::PreviousJoint, "look at the joint before")
-        .repeating()
-        .shift(true),
-    binding(&[Key::Backspace], "Backspace", Action::NoJoint, "look at no joint any more"),
-    binding(&[Key::G], "g", Action::Ghost, "show or hide the goal"),
-    binding(&[Key::A], "a", Action::Axes, "show or hide the joints' axes"),
-    binding(&[Key::T], "t", Action::Traces, "show or hide the traces of the tips"),
-    binding(&[Key::L], "l", Action::Look, "bodies in the light, or plain lines"),
-    binding(&[Key::S], "s", Action::Points, "show or hide your points"),
-    binding(&[Key::H, Key::F1], "h F1", Action::Help, "show or hide this help"),
-    binding(&[Key::Escape], "Esc", Action::Quit, "close the window"),
+pub const ROWS: &[Row] = &[
+    row("Space", "play, or pause", &[binding(Key::Space, Action::Play)]),
+    row(
+        "w → .",
+        "next frame (hold it to go on)",
+        &[step(Key::W, 1), step(Key::Right, 1), step(Key::Period, 1)],
+    ),
+    row("← ,", "frame before", &[step(Key::Left, -1), step(Key::Comma, -1)]),
+    row(
+        "Shift → ←",
+        "ten frames at once",
+        &[
+            leap(Key::W, 10),
+            leap(Key::Right, 10),
+            leap(Key::Period, 10),
+            leap(Key::Left, -10),
+            leap(Key::Comma, -10),
+        ],
+    ),
+    row(
+        "Home End",
+        "first frame, last frame",
+        &[binding(Key::Home, Action::First), binding(Key::End, Action::Last)],
+    ),
+    row("r", "play in the other direction", &[binding(Key::R, Action::Reverse)]),
+    row(
+        "- =",
+        "slower, faster: from 0.1× to 4×",
+        &[
+            binding(Key::Minus, Action::Slower),
+            binding(Key::NumPadMinus, Action::Slower),
+            binding(Key::Equal, Action::Faster),
+            binding(Key::NumPadPlus, Action::Faster),
+        ],
+    ),
+    row(
+        "[ ]",
+        "play from this frame on, up to this frame (again: all)",
+        &[binding(Key::LeftBracket, Action::RangeStart), binding(Key::RightBracket, Action::RangeEnd)],
+    ),
+    row("o", "begin again at the end, or stop there", &[binding(Key::O, Action::Loop)]),
+    row("f", "bring everything into the picture", &[binding(Key::F, Action::Frame)]),
+    row("c", "move along with the figure, or stay", &[binding(Key::C, Action::Follow)]),
+    row(
+        "Tab",
+        "look at the next joint (with Shift: the one before)",
+        &[
+            Binding { shift: Some(false), repeats: true, ..binding(Key::Tab, Action::NextJoint) },
+            Binding { shift: Some(true), repeats: true, ..binding(Key::Tab, Action::PreviousJoint) },
+        ],
+    ),
+    row("Backspace", "look at no joint any more", &[binding(Key::Backspace, Action::NoJoint)]),
+    row("g", "show or hide the goal", &[binding(Key::G, Action::Ghost)]),
+    row("a", "show or hide the joints' axes", &[binding(Key::A, Action::Axes)]),
+    row("t", "show or hide the traces of the tips", &[binding(Key::T, Action::Traces)]),
+    row("l", "bodies in the light, or plain lines", &[binding(Key::L, Action::Look)]),
+    row("s", "show or hide your points", &[binding(Key::S, Action::Points)]),
+    row("m", "of several motions: one by itself, or all", &[binding(Key::M, Action::NextMotion)]),
+    row("h F1", "show or hide this help", &[binding(Key::H, Action::Help), binding(Key::F1, Action::Help)]),
+    row("Esc", "close the window", &[binding(Key::Escape, Action::Quit)]),
 ];
 
-/// What is bound only where several motions are shown.
-pub const WITH_SEVERAL_MOTIONS: Binding =
-    binding(&[Key::M], "m", Action::NextMotion, "each motion by itself, or all side by side");
-
 /// What the mouse does: its name and its effect, for people.
-const MOUSE: [(&str, &str); 4] = [
+const MOUSE: [(&str, &str); 5] = [
     ("drag", "look from another side"),
     ("right drag", "move the picture (or Shift and drag)"),
     ("wheel", "closer or farther away"),
+    ("click", "look at a joint"),
     ("bar below", "drag it to go to a frame"),
 ];
 
@@ -122,17 +155,13 @@ const KEPT: [Key; 4] = [Key::I, Key::K, Key::E, Key::P];
 
 /// Keys and mouse, name and effect for people: what the help in the window, `--help` and the book say.
 pub fn help() -> impl Iterator<Item = (&'static str, &'static str)> {
-    all().map(|binding| (binding.name, binding.help)).chain(MOUSE)
-}
-
-fn all() -> impl Iterator<Item = &'static Binding> {
-    let (last, others) = (BINDINGS.len() - 2, &BINDINGS);
-    others[..last].iter().chain([&WITH_SEVERAL_MOTIONS]).chain(&others[last..])
+    ROWS.iter().map(|row| (row.name, row.help)).chain(MOUSE)
 }
 
 /// What belongs to a key, with or without Shift.
 pub fn of_key(key: Key, shift: bool) -> Option<&'static Binding> {
-    all().find(|binding| binding.keys.contains(&key) && binding.shift.is_none_or(|wanted| wanted == shift))
+    let fits = |binding: &&Binding| binding.key == key && binding.shift.is_none_or(|wanted| wanted == shift);
+    ROWS.iter().flat_map(|row| row.bindings).find(fits)
 }
 
 /// The key that a character stands on where keyboards differ: on many there is no key that has it by itself.
@@ -148,18 +177,20 @@ pub fn of_character(character: char) -> Option<Key> {
     }
 }
 
-const fn binding(keys: &'static [Key], name: &'static str, action: Action, help: &'static str) -> Binding {
-    Binding { keys, shift: None, action, repeats: false, name, help }
+const fn row(name: &'static str, help: &'static str, bindings: &'static [Binding]) -> Row {
+    Row { name, help, bindings }
 }
 
-impl Binding {
-    const fn repeating(self) -> Binding {
-        Binding { repeats: true, ..self }
-    }
+const fn binding(key: Key, action: Action) -> Binding {
+    Binding { key, shift: None, action, repeats: false }
+}
 
-    const fn shift(self, held: bool) -> Binding {
-        Binding { shift: Some(held), ..self }
-    }
+const fn step(key: Key, frames: isize) -> Binding {
+    Binding { shift: Some(false), repeats: true, ..binding(key, Action::Step(frames)) }
+}
+
+const fn leap(key: Key, frames: isize) -> Binding {
+    Binding { shift: Some(true), ..step(key, frames) }
 }
 
 #[cfg(test)]
@@ -168,15 +199,16 @@ mod tests {
 
     #[test]
     fn no_key_has_two_meanings_and_every_key_has_words() {
-        let bindings: Vec<&Binding> = all().collect();
-        assert_eq!(bindings.len(), BINDINGS.len() + 1);
+        let bindings: Vec<&Binding> = ROWS.iter().flat_map(|row| row.bindings).collect();
         for (i, a) in bindings.iter().enumerate() {
-            assert!(!a.name.is_empty() && !a.help.is_empty() && !a.keys.is_empty());
             for b in &bindings[i + 1..] {
                 let both = a.shift.is_none() || b.shift.is_none() || a.shift == b.shift;
-                assert!(!both || a.keys.iter().all(|key| !b.keys.contains(key)), "{} and {}", a.name, b.name);
-                assert!(a.name != b.name && a.help != b.help && a.action != b.action);
+                assert!(!both || a.key != b.key, "{a:?} and {b:?}");
             }
+        }
+        for (i, a) in ROWS.iter().enumerate() {
+            assert!(!a.name.is_empty() && !a.help.is_empty() && !a.bindings.is_empty());
+            assert!(ROWS[i + 1..].iter().all(|b| a.name != b.name && a.help != b.help));
         }
     }
 
@@ -189,9 +221,7 @@ mod tests {
 
     #[test]
     fn every_character_leads_to_a_key_that_does_something() {
-        for character in ('\0'..'\u{2000}').filter(|character| of_character(*character).is_some()) {
-            let key = of_character(character).unwrap();
-            assert!(of_key(key, false).is_some(), "{character}");
-        }
+        let characters = ('\0'..'\u{2000}').filter_map(of_character);
+        assert_eq!(characters.inspect(|key| assert!(of_key(*key, false).is_some(), "{key:?}")).count(), 7);
     }
 }

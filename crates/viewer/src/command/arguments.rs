@@ -6,7 +6,7 @@ use std::str::FromStr;
 use clap::{Parser, ValueEnum};
 use skeleton::PositionChannels;
 
-use crate::app::{App, Settings};
+use crate::app::Settings;
 use crate::canvas::MAX_SIDE;
 use crate::frames::FrameRange;
 use crate::gallery::Gallery;
@@ -171,34 +171,25 @@ impl Arguments {
         (width / columns, height / rows)
     }
 
-    /// Sets `app` up: what is drawn of it, its frame, and its joint.
+    /// Sets all motions up: what is drawn of them, the frame, the joint, and the side to look from.
     ///
     /// # Errors
     ///
-    /// When it has no joint of that name.
-    pub fn prepare(&self, app: &mut App) -> Result<(), String> {
-        app.settings = self.settings();
-        app.go_to(self.frame);
-        if let Some(name) = &self.joint {
-            let joints = app.stage().motion().skeleton().joints();
-            let found = joints.iter().position(|joint| joint.name == *name);
-            let names = || joints.iter().filter(|joint| !joint.is_end_site).map(|joint| joint.name.as_str());
-            let missing = || {
-                let names = parser::printable(&names().collect::<Vec<_>>().join(", "));
-                format!("{} has no joint {name:?}: it has {names}", app.title())
-            };
-            let found = found.ok_or_else(missing)?;
-            app.select(Some(found));
+    /// When none of them has a joint of that name.
+    pub fn prepare(&self, gallery: &mut Gallery) -> Result<(), String> {
+        for app in gallery.apps_mut() {
+            app.settings = self.settings();
+            app.go_to(self.frame);
         }
-        Ok(())
-    }
-
-    /// Turns the camera of every motion to the chosen side.
-    pub fn look_from(&self, gallery: &mut Gallery) {
-        let Some(Side { around, above, zoom }) = self.camera else { return };
-        let tiles: Vec<_> = gallery.tiles(self.size()).collect();
-        for tile in tiles {
-            gallery.apps_mut()[tile.motion].look_from(around, above, zoom, tile.size);
+        if let Some(Side { around, above, zoom }) = self.camera {
+            let tiles: Vec<_> = gallery.tiles(self.size()).collect();
+            for tile in tiles {
+                gallery.apps_mut()[tile.motion].look_from(around, above, zoom, tile.size);
+            }
+        }
+        match &self.joint {
+            Some(name) => select(gallery, name),
+            None => Ok(()),
         }
     }
 
@@ -222,6 +213,23 @@ impl Arguments {
         settings.words &= self.sheet.is_none();
         settings
     }
+}
+
+/// Looks at the joint `name` in every motion that has it.
+fn select(gallery: &mut Gallery, name: &str) -> Result<(), String> {
+    let mut found = false;
+    for app in gallery.apps_mut() {
+        let joint = app.stage().motion().skeleton().joints().iter().position(|joint| joint.name == name);
+        app.select(joint);
+        found |= joint.is_some();
+    }
+    // A file that cannot be read yet may have it.
+    let first = gallery.apps().iter().find(|app| app.unreadable().is_empty());
+    let (Some(app), false) = (first, found) else { return Ok(()) };
+    let joints = app.stage().motion().skeleton().joints().iter().filter(|joint| !joint.is_end_site);
+    let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
+    let (name, names) = (parser::printable(name), parser::printable(&names.join(", ")));
+    Err(format!("there is no joint {name:?}: {} has {names}", app.title()))
 }
 
 /// A side to look from, in degrees, and a zoom.

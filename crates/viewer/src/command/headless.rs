@@ -55,12 +55,10 @@ impl Studio {
             let count = loaded.stage.motion().frame_count();
             frames::check(arguments.frame, count).map_err(|error| format!("{}: {error}", source.title()))?;
             let tile = arguments.tile(sources.len());
-            let mut app = App::new(loaded.stage, source.title(), loaded.warnings, tile);
-            arguments.prepare(&mut app)?;
-            apps.push(app);
+            apps.push(App::new(loaded.stage, source.title(), loaded.warnings, tile));
         }
         let mut gallery = Gallery::new(apps);
-        arguments.look_from(&mut gallery);
+        arguments.prepare(&mut gallery)?;
         let (frames, seconds) = choose(arguments, output, &gallery.apps()[0])?;
         let mut studio = Studio {
             gallery,

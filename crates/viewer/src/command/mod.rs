@@ -51,7 +51,7 @@ fn view(arguments: &Arguments) -> Result<(), String> {
         apps.push(open(arguments, source, sources.len())?);
     }
     let mut gallery = Gallery::new(apps);
-    arguments.look_from(&mut gallery);
+    arguments.prepare(&mut gallery)?;
     let session = Session::open(gallery, sources, (!arguments.solution).then(workspace));
     window::open(session, arguments.size()).map_err(text)
 }
@@ -78,7 +78,6 @@ fn open(arguments: &Arguments, source: &Source, count: usize) -> Result<App, Str
     if let Err(error) = loaded {
         app.cannot_read(&error.to_string());
     }
-    arguments.prepare(&mut app)?;
     Ok(app)
 }
 
