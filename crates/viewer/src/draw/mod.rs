@@ -1,16 +1,20 @@
 //! From a scene to a picture.
 
+mod lit;
+
 use glam::Vec3;
 
 use crate::camera::{Spot, View};
 use crate::canvas::{Canvas, Color, Pen, Typeface, Weight};
 use crate::panel;
-use crate::scene::{Figure, Look, Mark, Off, Scene, Side, Tint};
+use crate::scene::{Figure, Look, Mark, Off, Scene, Side, Style, Tint};
+use lit::Bodies;
 
 /// Draws scenes. Keeps what is slow to make: the letters.
 #[derive(Default)]
 pub struct Painter {
     typeface: Typeface,
+    bodies: Bodies,
 }
 
 impl Painter {
@@ -22,7 +26,11 @@ impl Painter {
     /// Draws `scene` over whatever `canvas` shows.
     pub fn draw(&mut self, scene: &Scene, canvas: &mut Canvas) {
         let view = scene.camera.view(canvas.size());
-        canvas.background(&view, scene.ground, 4.5 * scene.camera.distance);
+        let reach = 4.5 * scene.camera.distance;
+        canvas.background(&view, scene.ground, reach);
+        if scene.style == Style::Lit {
+            self.bodies.draw(scene, &view, reach, canvas);
+        }
 
         let mut strokes = Strokes { view, list: Vec::new() };
         for figure in &scene.figures {
@@ -245,7 +253,7 @@ mod tests {
     use super::*;
     use crate::camera::Camera;
     use crate::canvas::Ground;
-    use crate::scene::{Axes, Bone, Corner, Dot, Line, Style};
+    use crate::scene::{Axes, Bone, Corner, Dot, Line};
 
     /// Draws with one painter for all tests: reading the fonts takes longest.
     fn draw(scene: &Scene, canvas: &mut Canvas) {
