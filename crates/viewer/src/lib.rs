@@ -6,6 +6,7 @@
 #![deny(missing_docs)]
 
 pub mod app;
+pub mod body;
 pub mod camera;
 pub mod canvas;
 pub mod command;
@@ -16,11 +17,13 @@ pub mod picture;
 pub mod pictures;
 pub mod player;
 pub mod print;
+pub mod ruler;
 #[cfg(test)]
 mod samples;
 pub mod scene;
 pub mod stage;
 pub mod student;
 mod texts;
+pub mod timeline;
 pub mod window;
 pub mod worker;

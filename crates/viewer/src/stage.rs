@@ -3,6 +3,7 @@
 use glam::Vec3;
 use skeleton::{Frame, Joint, Motion, Pose, PositionChannels, pose_frame};
 
+use crate::body;
 use crate::camera::Camera;
 use crate::canvas::Ground;
 use crate::scene::{Axes, Bone, Figure, Look, Side};
@@ -13,6 +14,8 @@ pub struct Stage {
     motion: Motion,
     positions: PositionChannels,
     sides: Vec<Side>,
+    /// How thick the bone to each joint is.
+    radii: Vec<f32>,
     size: f32,
     ground: Ground,
     /// Corners of the box in which the figure stays, relative to its anchor.
@@ -39,6 +42,7 @@ impl Stage {
     pub fn new(motion: Motion, positions: PositionChannels) -> Stage {
         let mut stage = Stage {
             sides: sides(motion.skeleton().joints()),
+            radii: Vec::new(),
             motion,
             positions,
             size: 1.0,
@@ -49,6 +53,7 @@ impl Stage {
             too_coarse: false,
         };
         stage.measure();
+        stage.radii = body::radii(stage.motion.skeleton(), stage.size);
         stage
     }
 
@@ -186,7 +191,7 @@ impl Stage {
             if let Some(parent) = joint.parent {
                 let side = self.sides[joint.id.0];
                 let (from, to) = (pose[parent].position, transform.position);
-                let (radius, joints) = (0.02 * self.size, (parent.0, joint.id.0));
+                let (radius, joints) = (self.radii[joint.id.0], (parent.0, joint.id.0));
                 figure.bones.push(Bone { from, to, side, radius, joints });
             }
             if axes && !joint.is_end_site {

@@ -3,6 +3,7 @@
 //! A small software rasteriser. Lines and squares carry a depth and hide what lies behind them; their edges are
 //! anti-aliased by the share of each pixel that they cover. Text and panels lie on top of everything.
 
+mod disc;
 mod ground;
 mod line;
 mod square;

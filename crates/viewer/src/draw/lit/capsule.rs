@@ -30,7 +30,14 @@ const FARTHEST: f32 = 1e5;
 
 impl Capsule {
     /// The body of `bone`, whose ends are given in the unit of drawing. None for what is not made of numbers.
-    pub fn new(bone: &Bone, from: Vec3, to: Vec3, per_world: f32, figure: usize, pale: bool) -> Option<Capsule> {
+    pub fn new(
+        bone: &Bone,
+        from: Vec3,
+        to: Vec3,
+        per_world: f32,
+        figure: usize,
+        pale: bool,
+    ) -> Option<Capsule> {
         let radius = bone.radius * per_world;
         let near = |place: Vec3| place.abs().max_element() < FARTHEST;
         if !(near(from) && near(to) && radius > 1e-6 && radius < FARTHEST) {
@@ -87,7 +94,10 @@ impl Capsule {
     fn meets(&self, other: &Capsule) -> bool {
         let (from, to) = self.joints;
         self.figure == other.figure
-            && (other.joints.0 == from || other.joints.0 == to || other.joints.1 == from || other.joints.1 == to)
+            && (other.joints.0 == from
+                || other.joints.0 == to
+                || other.joints.1 == from
+                || other.joints.1 == to)
     }
 
     /// The ball around it: centre and radius.
@@ -159,7 +169,7 @@ impl Neighbours {
 
 /// The smallest rectangle on a level plane around some points.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Footprint {
+pub(in crate::draw) struct Footprint {
     pub low: Vec2,
     pub high: Vec2,
 }

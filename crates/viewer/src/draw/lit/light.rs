@@ -58,12 +58,8 @@ impl LightMaps {
         self.nets.clear();
         for (index, capsule) in capsules.iter().enumerate() {
             let net = Net::new(capsule, self.light.len(), lens);
-            let around = Surroundings {
-                capsules,
-                shading: near.shading(index),
-                hiding: near.hiding(index),
-                ground,
-            };
+            let around =
+                Surroundings { capsules, shading: near.shading(index), hiding: near.hiding(index), ground };
             for row in 0..net.around {
                 let outwards = net.outwards(4.0 * row as f32 / net.around as f32);
                 for column in 0..net.along {

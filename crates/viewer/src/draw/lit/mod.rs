@@ -13,7 +13,7 @@ use glam::Vec3;
 
 use crate::camera::View;
 use crate::canvas::Canvas;
-use crate::scene::{Look, Scene, Style};
+use crate::scene::{Bone, Figure, Look, Scene};
 
 pub(super) use capsule::Capsule;
 use capsule::Neighbours;
@@ -62,8 +62,7 @@ impl Bodies {
     pub(super) fn draw(&mut self, scene: &Scene, view: &View, reach: f32, canvas: &mut Canvas) {
         self.capsules.clear();
         let Some(unit) = Unit::of(scene) else { return };
-        let lens =
-            View { eye: unit.place(view.eye), near: view.near * unit.per_world, ..*view };
+        let lens = View { eye: unit.place(view.eye), near: view.near * unit.per_world, ..*view };
         if !(lens.eye.is_finite() && lens.near > 0.0) {
             return;
         }
@@ -72,7 +71,14 @@ impl Bodies {
                 let pale = figure.look == Look::Dimmed;
                 let bones = figure.bones.iter();
                 self.capsules.extend(bones.filter_map(|bone| {
-                    Capsule::new(bone, unit.place(bone.from), unit.place(bone.to), unit.per_world, index, pale)
+                    Capsule::new(
+                        bone,
+                        unit.place(bone.from),
+                        unit.place(bone.to),
+                        unit.per_world,
+                        index,
+                        pale,
+                    )
                 }));
             }
         }
@@ -88,10 +94,42 @@ impl Bodies {
     }
 }
 
-/// How far the body of a figure's bones reaches in front of the joint at `place` on the line of sight, in world units:
-/// what marks the joint has to be moved towards the camera by this to be seen upon its own bones.
-pub(super) fn cover(scene: &Scene, figure: usize, joint: usize, place: Vec3, view: &View) -> f32 {
-    let (Style::Lit, Some(figure)) = (scene.style, scene.figures.get(figure)) else { return 0.0 };
-    let _ = (figure, joint, place, view);
-    0.0
+/// How far the bodies of a figure's own bones reach in front of each of its joints, towards the camera, in world units:
+/// what marks a joint is moved by this to be seen upon them. Bones that merely pass in front of a joint hide it.
+pub(super) fn cover(figure: &Figure, view: &View, covers: &mut Vec<f32>) {
+    let everywhere = figure.bones.len() <= MOST_COVERING;
+    covers.extend(figure.joints.iter().enumerate().map(|(index, joint)| {
+        let to_eye = (view.eye - joint.place).normalize_or_zero();
+        let ends_here = |bone: &&Bone| everywhere || bone.joints.0 == index || bone.joints.1 == index;
+        let covers = figure.bones.iter().filter(ends_here).map(|bone| cover_of(bone, joint.place, to_eye));
+        covers.fold(0.0, f32::max) * -to_eye.dot(view.forward)
+    }));
+}
+
+/// With more bones than this, only those that end at a joint are looked at.
+const MOST_COVERING: usize = 400;
+
+/// How far a bone's body reaches from `place` inside of it in direction `to_eye`; zero when `place` is not inside.
+fn cover_of(bone: &Bone, place: Vec3, to_eye: Vec3) -> f32 {
+    let (from, along) = (place - bone.from, bone.to - bone.from);
+    let length = along.length();
+    let axis = if length > 0.0 { along / length } else { Vec3::ZERO };
+    let at = from.dot(axis);
+    let radius = bone.radius;
+    // Joints at the ends of a bone are inside even when rounding says otherwise.
+    let inside = from.distance(axis * at.clamp(0.0, length)) < radius;
+    if !inside {
+        return 0.0;
+    }
+    let leave = |offset: Vec3, ray: Vec3| {
+        let (squared, ahead) = (ray.length_squared(), offset.dot(ray));
+        let room = ahead * ahead - squared * (offset.length_squared() - radius * radius);
+        if room >= 0.0 && squared > 1e-6 { (room.sqrt() - ahead) / squared } else { 0.0 }
+    };
+    let beside = leave(from - axis * at, to_eye - axis * to_eye.dot(axis));
+    let left_at = at + beside * to_eye.dot(axis);
+    let beside = if (0.0..=length).contains(&left_at) { beside } else { 0.0 };
+    let ends = leave(from, to_eye).max(leave(place - bone.to, to_eye));
+    // Looking along a limb, what lies far behind its end is not shown through all of it.
+    beside.max(ends).min(3.0 * radius) * 1.02
 }

@@ -140,14 +140,7 @@ impl<'a> Body<'a> {
         })
     }
 
-    fn fill(
-        &self,
-        shader: &Shader,
-        lens: &View,
-        per_world: f32,
-        canvas: &mut Canvas,
-        edges: &mut Vec<Edge>,
-    ) {
+    fn fill(&self, shader: &Shader, lens: &View, per_world: f32, canvas: &mut Canvas, edges: &mut Vec<Edge>) {
         let (width, height) = canvas.size();
         let (pixels, nearness) = canvas.layers();
         let Some(rows) = self.rows(height) else { return };
@@ -299,8 +292,11 @@ impl Row {
         };
         let at_start = if parallel { along > 0.0 } else { entry_on_axis < body.start };
         // The soft edge belongs to the part that the ray passes closest to.
-        let (passing, within, measure) =
-            if beside { (closest, inside, apart) } else { ball(if parallel { at_start } else { on_axis < body.start }) };
+        let (passing, within, measure) = if beside {
+            (closest, inside, apart)
+        } else {
+            ball(if parallel { at_start } else { on_axis < body.start })
+        };
         let share = self.share(within / measure, body.capsule.radius, passing * per_pixel);
         if !(share > 0.0 && passing > 0.0) {
             return None;
@@ -369,11 +365,8 @@ impl Tones {
     fn new() -> Tones {
         let shade = |step: usize| {
             let light = step as f32 / TONES as f32;
-            let shade = if light <= 0.003_130_8 {
-                12.92 * light
-            } else {
-                1.055 * light.powf(1.0 / 2.4) - 0.055
-            };
+            let shade =
+                if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
             (shade * 255.0 + 0.5) as u8
         };
         Tones { shades: (0..=TONES).map(shade).collect() }

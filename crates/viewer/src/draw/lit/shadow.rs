@@ -51,7 +51,8 @@ impl GroundShadow {
         self.cell = (side / most as f32).max(SMALLEST_CELL).max(0.5 * pixel);
         self.corner = area.low - self.cell;
         let cells = ((area.high - area.low) / self.cell).ceil() + 2.0;
-        (self.columns, self.rows) = ((cells.x as usize).min(MOST_CELLS + 3), (cells.y as usize).min(MOST_CELLS + 3));
+        (self.columns, self.rows) =
+            ((cells.x as usize).min(MOST_CELLS + 3), (cells.y as usize).min(MOST_CELLS + 3));
         for map in [&mut self.sun, &mut self.light] {
             map.clear();
             map.resize(self.columns * self.rows, 1.0);
