@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::keys::Action;
-use crate::timeline;
+use crate::timeline::Bar;
 
 /// One motion or several. Keys and mouse act on all of them, so that they stay in step and are seen from the same side.
 #[derive(Clone, Debug)]
@@ -91,20 +91,23 @@ impl Gallery {
     /// Whether a place in a window of `size` pixels is on a scrub bar.
     pub fn on_bar(&self, place: (f32, f32), size: (usize, usize)) -> bool {
         self.tiles(size).any(|tile| {
-            let app = &self.apps[tile.motion];
-            let inside = tile.inside(place);
-            app.timeline().is_some()
-                && inside.is_some_and(|place| timeline::contains(tile.size, app.settings.text_scale, place))
+            let bar = self.bar(tile);
+            bar.zip(tile.inside(place)).is_some_and(|(bar, (x, y))| bar.contains(x, y))
         })
+    }
+
+    /// The scrub bar of a tile.
+    fn bar(&self, tile: Tile) -> Option<Bar> {
+        let app = &self.apps[tile.motion];
+        Bar::new(&app.timeline()?, tile.size, app.settings.text_scale)
     }
 
     /// Goes to the frame at `now` on the bar on which `pressed` is; both are places in a window of `size` pixels.
     pub fn scrub(&mut self, pressed: (f32, f32), now: (f32, f32), size: (usize, usize)) {
         let Some(tile) = self.tiles(size).find(|tile| tile.inside(pressed).is_some()) else { return };
-        let app = &mut self.apps[tile.motion];
-        if let Some(bar) = app.timeline() {
-            let along = now.0 - tile.corner.0 as f32;
-            app.go_to(timeline::frame_at(tile.size, app.settings.text_scale, &bar, along));
+        if let Some(bar) = self.bar(tile) {
+            let frame = bar.frame_at(now.0 - tile.corner.0 as f32);
+            self.apps[tile.motion].go_to(frame);
         }
     }
 

@@ -10,6 +10,7 @@ pub mod app;
 mod beside;
 mod blame;
 pub mod board;
+pub mod body;
 pub mod camera;
 pub mod canvas;
 pub mod command;
@@ -25,6 +26,7 @@ pub mod picture;
 pub mod pictures;
 pub mod player;
 pub mod print;
+pub mod ruler;
 #[cfg(test)]
 mod samples;
 pub mod scene;

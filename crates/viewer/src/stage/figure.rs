@@ -40,7 +40,7 @@ impl Stage {
             if let Some(parent) = joint.parent {
                 let side = self.sides[joint.id.0];
                 let from = self.place(pose[parent].position);
-                let (radius, joints) = (0.02 * self.size, (parent.0, joint.id.0));
+                let (radius, joints) = (self.radii[joint.id.0], (parent.0, joint.id.0));
                 figure.bones.push(Bone { from, to: place, side, radius, joints });
             }
             if wanted.axes && !joint.is_end_site {

@@ -5,6 +5,7 @@ mod figure;
 use glam::{Quat, Vec3};
 use skeleton::{Frame, Motion, Pose, PositionChannels, pose_frame};
 
+use crate::body;
 use crate::camera::Camera;
 use crate::canvas::Ground;
 use crate::scene::Side;
@@ -24,6 +25,8 @@ pub struct Stage {
     upright: Quat,
     sides: Vec<Side>,
     end_sites: Vec<usize>,
+    /// How thick the bone to each joint is.
+    radii: Vec<f32>,
     size: f32,
     ground: Ground,
     /// Corners of the box in which the figure stays, relative to its anchor.
@@ -60,6 +63,7 @@ impl Stage {
             upright: Quat::IDENTITY,
             sides: sides(joints),
             end_sites: tips(joints),
+            radii: Vec::new(),
             motion,
             positions,
             size: 1.0,
@@ -72,6 +76,7 @@ impl Stage {
         stage.up = up.unwrap_or_else(|| stage.find_up());
         stage.upright = stage.up.rotation();
         stage.measure();
+        stage.radii = body::radii(stage.motion.skeleton(), stage.size);
         stage
     }
 
