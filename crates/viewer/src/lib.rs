@@ -22,5 +22,6 @@ pub mod scene;
 pub mod stage;
 pub mod student;
 mod texts;
+pub mod watch;
 pub mod window;
 pub mod worker;
