@@ -336,10 +336,11 @@ mod tests {
         for binding in crate::keys::BINDINGS {
             assert!(help.contains(binding.help), "{}", binding.help);
         }
-        let failed = Status::Failed(crate::worker::Trouble {
+        let trouble = crate::worker::Trouble {
             headline: "your code does not compile".into(),
             details: vec!["error[E0308]: mismatched types".into()],
-        });
+        };
+        let failed = Status::Failed(trouble.into());
         for (status, expected) in [
             (&Status::Compiling, "compiling"),
             (&Status::Asking, "asking your functions"),

@@ -14,8 +14,9 @@ use skeleton::PositionChannels;
 use crate::app::{App, Shown};
 use crate::canvas::{Canvas, MAX_SIDE};
 use crate::draw::Painter;
+use crate::live::Live;
 use crate::stage::Stage;
-use crate::student::{self, Status, Student};
+use crate::student::{self, Status, Version};
 use crate::worker::Trouble;
 use crate::{keys, picture, print, window, worker};
 
@@ -95,8 +96,8 @@ fn view(arguments: &Arguments) -> Result<(), String> {
     let stage = Arc::new(Stage::new(motion, arguments.positions.into()));
     let mut app = App::new(stage.clone(), title, warnings, arguments.size);
     app.go_to(arguments.frame);
-    let student = || Student::start(stage, || worker::compile(&workspace()));
-    window::open(app, arguments.size, (!arguments.solution).then_some(student)).map_err(text)
+    let live = || Live::open(&workspace(), vec![stage], vec![path]);
+    window::open(app, arguments.size, (!arguments.solution).then_some(live)).map_err(text)
 }
 
 /// What is printed of a motion: its name, its skeleton, a summary, and what is odd about the file.
@@ -160,7 +161,7 @@ fn write_picture(
         false => Some(ask_student(&stage, frame)),
     };
     let status = match &answer {
-        Some(Err(trouble)) => Status::Failed(trouble.clone()),
+        Some(Err(trouble)) => Status::Failed(trouble.clone().into()),
         _ => Status::Answered,
     };
     let shown = match &answer {
@@ -180,7 +181,7 @@ fn write_picture(
 
 /// What the student's functions make of one frame. Waits for it.
 fn ask_student(stage: &Stage, frame: usize) -> Result<PosedFrame, Trouble> {
-    let mut worker = worker::compile(&workspace())?;
+    let mut worker = worker::compile(&workspace(), &Version::default())?;
     let mut answer = student::ask(&mut worker, stage, frame..frame + 1)?;
     // One frame was asked for, and one came: `ask` sees to that.
     Ok(answer.swap_remove(0))

@@ -6,11 +6,14 @@
 #![deny(missing_docs)]
 
 pub mod app;
+pub mod board;
 pub mod camera;
 pub mod canvas;
 pub mod command;
+mod diagnostic;
 pub mod draw;
 pub mod keys;
+pub mod live;
 mod panel;
 pub mod picture;
 pub mod pictures;

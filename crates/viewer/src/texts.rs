@@ -117,10 +117,6 @@ fn functions(facts: &Facts) -> Vec<Words> {
         Status::Failed(trouble) => {
             lines.push((Line::Trouble, trouble.headline.clone()));
             lines.extend(trouble.details.iter().map(|line| (Line::Trouble, line.clone())));
-            lines.push((
-                Line::Text,
-                "Only the goal is shown. After a change to your code, start the viewer again.".into(),
-            ));
         }
     }
     lines

@@ -10,22 +10,18 @@ use crate::app::{App, Shown};
 use crate::canvas::Canvas;
 use crate::draw::Painter;
 use crate::keys::{Action, Keyboard};
-use crate::student::{Status, Student};
+use crate::live::Live;
 
 /// Pictures per second. The motion's own speed does not depend on it.
 const PICTURES_PER_SECOND: usize = 60;
 
-/// Shows `app` in a window of `size` pixels until it is closed. With `student`, the student's functions move the
+/// Shows `app` in a window of `size` pixels until it is closed. With `live`, the student's functions move the
 /// figure; without, the reference's do.
 ///
 /// # Errors
 ///
 /// When no window can be opened.
-pub fn open(
-    mut app: App,
-    size: (usize, usize),
-    student: Option<impl FnOnce() -> Student>,
-) -> Result<(), NoWindow> {
+pub fn open(mut app: App, size: (usize, usize), live: Option<impl FnOnce() -> Live>) -> Result<(), NoWindow> {
     let options = WindowOptions { resize: true, ..WindowOptions::default() };
     let mut window = Window::new(&app.window_title(), size.0, size.1, options)
         .map_err(|error| NoWindow { why: error.to_string() })?;
@@ -33,12 +29,11 @@ pub fn open(
     let (sender, keys) = mpsc::channel();
     window.set_input_callback(Box::new(KeyEvents(sender)));
 
-    let mut student = student.map(|start| start());
+    let mut live = live.map(|open| open());
     let mut input = Input { keys, keyboard: Keyboard::default(), grabbed: None };
     let mut painter = Painter::new();
     let mut canvas = Canvas::new(size.0, size.1);
     let mut drawn = None;
-    let mut told = false;
     let mut title = String::new();
     let mut last = Instant::now();
     while window.is_open() {
@@ -49,16 +44,16 @@ pub fn open(
         last = Instant::now();
 
         let frame = app.frame();
-        let status = student.as_mut().map(|student| student.update(frame));
-        let shown = match (&student, &status) {
-            (Some(student), Some(status)) => Shown::Student { posed: student.pose(frame), status },
+        if let Some(live) = &mut live {
+            live.update(&[frame]);
+        }
+        let standing = live.as_ref().map(|live| live.student().standing(0, frame));
+        let shown = match (&live, &standing) {
+            (Some(live), Some(standing)) => {
+                Shown::Student { posed: live.student().pose(0, frame), status: &standing.status }
+            }
             _ => Shown::Reference,
         };
-        if let Some(Status::Failed(trouble)) = &status
-            && !std::mem::replace(&mut told, true)
-        {
-            eprintln!("{}", trouble.headline);
-        }
 
         let size = Canvas::clamped(window.get_size());
         let scene = app.scene(shown, size);
@@ -78,7 +73,7 @@ pub fn open(
     }
     // The window goes first: the student's functions may need a moment to be stopped.
     drop(window);
-    drop(student);
+    drop(live);
     Ok(())
 }
 
