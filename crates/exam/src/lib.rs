@@ -11,6 +11,7 @@
 pub mod fk;
 mod in_process;
 mod process;
+mod stopper;
 mod stream;
 mod subject;
 mod wire;
@@ -18,4 +19,5 @@ pub mod worker;
 
 pub use in_process::InProcess;
 pub use process::WorkerProcess;
+pub use stopper::Stopper;
 pub use subject::{Answer, Failure, Functions, Question, Subject};

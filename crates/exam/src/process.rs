@@ -1,35 +1,57 @@
 //! Asking functions in a process of their own.
 
 use std::io::{self, Write};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crate::stopper::Stopper;
 use crate::stream::ReplyStream;
 use crate::wire::{self, Reply};
 use crate::{Answer, Failure, Question, Subject};
 
 /// A process that answers by [`worker::serve`](crate::worker::serve). What it prints goes on to this process's
-/// standard output, up to a limit; its errors go straight to the terminal, or where the command sends them.
+/// standard output, up to a limit; its errors go straight to the terminal, or where the command sends them, or through
+/// [`errors_to`](WorkerProcess::errors_to).
 ///
 /// When it crashes or takes too long it is ended, and the next question starts a new one.
 pub struct WorkerProcess {
     command: Command,
     printed: Printed,
+    errors: Option<Printed>,
+    stopper: Stopper,
     running: Option<Running>,
 }
 
 impl WorkerProcess {
     /// A worker that `command` starts when the first question is asked.
     pub fn new(command: Command) -> Self {
-        WorkerProcess { command, printed: Printed::to(io::stdout()), running: None }
+        WorkerProcess {
+            command,
+            printed: Printed::to(io::stdout()),
+            errors: None,
+            stopper: Stopper::default(),
+            running: None,
+        }
     }
 
     /// The same worker, whose print goes to `sink` instead.
     pub fn printing_to(self, sink: impl Write + Send + 'static) -> Self {
         WorkerProcess { printed: Printed::to(sink), ..self }
+    }
+
+    /// The same worker, whose standard error goes to `sink`, up to the limit that holds for print.
+    pub fn errors_to(mut self, sink: impl Write + Send + 'static) -> Self {
+        self.command.stderr(Stdio::piped());
+        self.errors = Some(Printed::to(sink));
+        self
+    }
+
+    /// What ends this worker from another thread.
+    pub fn stopper(&self) -> Stopper {
+        self.stopper.clone()
     }
 }
 
@@ -71,6 +93,10 @@ impl Subject for WorkerProcess {
         self.running = Some(running);
         (answers, None)
     }
+
+    fn restart(&mut self) {
+        self.running = None;
+    }
 }
 
 impl WorkerProcess {
@@ -78,12 +104,16 @@ impl WorkerProcess {
     fn send(&mut self, questions: &[&Question]) -> io::Result<Running> {
         let running = match self.running.take() {
             Some(running) => running,
-            None => Running::start(&mut self.command, self.printed.clone())?,
+            None => self.start()?,
         };
         for question in questions {
             running.send(wire::to_bytes(question)?, question.answer_limit());
         }
         Ok(running)
+    }
+
+    fn start(&mut self) -> io::Result<Running> {
+        Running::start(&mut self.command, self.printed.clone(), self.errors.clone(), self.stopper.clone())
     }
 }
 
@@ -93,19 +123,35 @@ const PRINT_LIMIT: usize = 1 << 20;
 /// Bytes that a panic's message and place may add to a reply.
 const PANIC_LIMIT: usize = 64 * 1024;
 
+pub(crate) type Received = io::Result<Option<Reply>>;
+
 struct Running {
-    child: Child,
+    /// Holds the process.
+    stopper: Stopper,
     to_write: Sender<Vec<u8>>,
     limits: Sender<usize>,
-    replies: Receiver<io::Result<Option<Reply>>>,
+    replies: Receiver<Received>,
 }
 
 impl Running {
-    fn start(command: &mut Command, printed: Printed) -> io::Result<Running> {
-        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-        let (Some(mut stdin), Some(stdout)) = (child.stdin.take(), child.stdout.take()) else {
+    fn start(
+        command: &mut Command,
+        printed: Printed,
+        errors: Option<Printed>,
+        stopper: Stopper,
+    ) -> io::Result<Running> {
+        let (to_asker, replies) = mpsc::channel();
+        let pipes = stopper.start(command.stdin(Stdio::piped()).stdout(Stdio::piped()), to_asker.clone())?;
+        let (Some(mut stdin), Some(stdout)) = (pipes.stdin, pipes.stdout) else {
             return Err(io::Error::other("the worker has no pipes"));
         };
+        if let (Some(mut stderr), Some(mut errors)) = (pipes.stderr, errors) {
+            // What cannot be written any more must not keep the worker from writing.
+            let copy = move || {
+                io::copy(&mut stderr, &mut errors).or_else(|_| io::copy(&mut stderr, &mut io::sink()))
+            };
+            thread::Builder::new().name("errors of worker".into()).spawn(copy)?;
+        }
         let marker = wire::new_marker();
 
         // Writing and reading happen on threads of their own: whatever the worker does or leaves undone, the asker
@@ -122,7 +168,6 @@ impl Running {
         })?;
 
         let (limits, wanted) = mpsc::channel::<usize>();
-        let (to_asker, replies) = mpsc::channel();
         thread::Builder::new().name("from worker".into()).spawn(move || {
             let mut stream = ReplyStream::new(stdout, printed, marker);
             while let Ok(limit) = wanted.recv() {
@@ -133,7 +178,7 @@ impl Running {
                 }
             }
         })?;
-        Ok(Running { child, to_write, limits, replies })
+        Ok(Running { stopper, to_write, limits, replies })
     }
 
     fn send(&self, message: Vec<u8>, answer_limit: usize) {
@@ -153,8 +198,7 @@ impl Running {
 
     /// The worker closed its output. If it did so by ending, ending it again does not change how it ended.
     fn how_it_ended(&mut self) -> Failure {
-        let _ = self.child.kill();
-        match self.child.wait() {
+        match self.stopper.end() {
             Ok(status) => Failure::Crashed { how: status.to_string() },
             Err(error) => no_answer(error),
         }
@@ -163,9 +207,8 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // Both fail only if the worker has ended by itself.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+        // This fails only if the worker has ended by itself, or was stopped.
+        let _ = self.stopper.end();
     }
 }
 

@@ -67,6 +67,10 @@ pub trait Subject {
         }
         (answers, None)
     }
+
+    /// Lets the functions forget what they may have kept, where that can be done: the next question meets them as if
+    /// it were the first.
+    fn restart(&mut self) {}
 }
 
 /// Why a question has no answer. `Display` says it in words for the student.

@@ -3,6 +3,7 @@
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, mpsc};
 use std::time::Duration;
 use std::{env, process, thread};
@@ -39,6 +40,11 @@ fn main() {
             "exits" => |_: &Joint, _: &mut FrameCursor| process::exit(0),
             "calls itself" => calls_itself,
             "prints" => prints,
+            "counts" => counts,
+            "says errors" => |joint: &Joint, frame: &mut FrameCursor| {
+                eprintln!("about {}", joint.name);
+                turn_about_x(joint, frame)
+            },
             "floods" => floods,
             _ => unreachable!("{name}"),
         };
@@ -48,7 +54,7 @@ fn main() {
         let _ = worker("loops").ask(&local(RotationOrder::Xyz), LONG);
         return;
     }
-    let tests: [(&str, fn()); 11] = [
+    let tests: [(&str, fn()); 15] = [
         ("a_worker_answers_like_the_functions_themselves", answers),
         ("a_panic_is_told_with_its_message_and_place", panic_is_told),
         ("after_a_panic_the_same_worker_answers_on", goes_on_after_panic),
@@ -60,6 +66,10 @@ fn main() {
         ("a_flood_of_print_does_not_disturb_the_answers", flood_is_harmless),
         ("a_looping_worker_ends_with_its_asker", ends_with_its_asker),
         ("a_program_that_is_not_there_is_no_answer", no_program),
+        ("a_looping_worker_can_be_stopped_from_another_thread", loop_is_stopped),
+        ("a_stopped_worker_is_never_started_again", stopped_stays_stopped),
+        ("after_a_restart_nothing_is_kept", restart_forgets),
+        ("errors_go_where_they_are_wanted", errors_are_handed_on),
     ];
     let trials = tests.into_iter().map(|(name, test)| {
         Trial::test(name, move || {
@@ -106,6 +116,12 @@ fn prints(joint: &Joint, frame: &mut FrameCursor) -> Quat {
     println!("joint {}", joint.name);
     print!("\0 half a line");
     turn_about_x(joint, frame)
+}
+
+/// Keeps something between calls.
+fn counts(_: &Joint, _: &mut FrameCursor) -> Quat {
+    static CALLS: AtomicU8 = AtomicU8::new(0);
+    Quat::from_xyzw(CALLS.fetch_add(1, Ordering::Relaxed).into(), 0.0, 0.0, 0.0)
 }
 
 fn floods(joint: &Joint, frame: &mut FrameCursor) -> Quat {
@@ -255,4 +271,68 @@ fn no_program() {
     let mut worker = WorkerProcess::new(Command::new("/no/such/program"));
     let failure = worker.ask(&local(RotationOrder::Xyz), LONG).unwrap_err();
     assert!(matches!(failure, Failure::NoAnswer { .. }), "{failure}");
+}
+
+/// The worker's pipe for errors closes when its process is gone.
+fn loop_is_stopped() {
+    let (sender, lines) = mpsc::channel();
+    let mut worker = worker("loops").errors_to(Lines(sender));
+    let stopper = worker.stopper();
+    let asking = thread::spawn(move || worker.ask(&local(RotationOrder::Xyz), 10 * LONG));
+    assert_eq!(lines.recv_timeout(LONG).unwrap(), b"looping\n");
+    stopper.stop();
+    let failure = asking.join().unwrap().unwrap_err();
+    assert!(matches!(failure, Failure::NoAnswer { .. }), "{failure}");
+    assert_eq!(lines.recv_timeout(LONG), Err(mpsc::RecvTimeoutError::Disconnected));
+}
+
+struct Lines(mpsc::Sender<Vec<u8>>);
+
+impl Write for Lines {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.send(bytes.to_vec()).map_err(io::Error::other)?;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+fn stopped_stays_stopped() {
+    let mut worker = worker("right");
+    assert_eq!(worker.ask(&local(RotationOrder::Xyz), LONG), Ok(right()));
+    worker.stopper().stop();
+    for _ in 0..2 {
+        let failure = worker.ask(&local(RotationOrder::Xyz), LONG).unwrap_err();
+        assert!(matches!(failure, Failure::NoAnswer { .. }), "{failure}");
+    }
+}
+
+fn restart_forgets() {
+    let mut worker = worker("counts");
+    let mut count = || {
+        let Ok(Answer::Fk(exam::fk::Answer::LocalQuaternions(locals))) =
+            worker.ask(&local(RotationOrder::Xyz), LONG)
+        else {
+            panic!("no answer")
+        };
+        let count = locals[0].rotation.x;
+        if count == 1.0 {
+            worker.restart();
+        }
+        count
+    };
+    assert_eq!([count(), count(), count()], [0.0, 1.0, 0.0]);
+}
+
+fn errors_are_handed_on() {
+    let sink = Sink::default();
+    let mut worker = worker("says errors").errors_to(sink.clone());
+    assert_eq!(worker.ask(&local(RotationOrder::Xyz), LONG), Ok(right()));
+    let start = std::time::Instant::now();
+    while *sink.0.lock().unwrap() != b"about Hips\n" {
+        assert!(start.elapsed() < LONG, "{:?}", sink.0.lock().unwrap());
+        thread::yield_now();
+    }
 }

@@ -27,7 +27,7 @@ pub use report::{
     CheckReport, CheckState, FirstCase, Named, PartReport, PartState, TreeLine, Trouble, WholeReport,
 };
 pub use rubric::{CheckRubric, PartRubric, Rubric};
-pub use self_grading::self_grade;
+pub use self_grading::{CHECK_LIMIT, Graded, self_grade};
 pub use tables::{misconceptions_table, rubric_table};
 
 /// The seed of the questions that students see. Marks are made with another one, so that answers learnt by heart fail.

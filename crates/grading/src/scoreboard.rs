@@ -42,27 +42,87 @@ impl fmt::Display for Scoreboard<'_> {
 }
 
 impl Scoreboard<'_> {
+    /// The points, part by part.
+    pub fn rows(&self) -> Vec<Row> {
+        self.parts.iter().map(Row::from).collect()
+    }
+
+    /// The points that were made, and those that could be, in the parts that were asked.
+    pub fn points(&self) -> (u32, u32) {
+        let points = self.parts.iter().map(PartReport::points).sum();
+        (points, self.parts.iter().map(|part| part.rubric.points()).sum())
+    }
+
+    /// All points in one line: `Forward kinematics: 7 of 15 points.` Empty when no part was asked.
+    pub fn verdict(&self) -> String {
+        let (points, of) = self.points();
+        let title = self.rubric.title;
+        match self.parts.len() {
+            0 => String::new(),
+            all if all == self.rubric.parts.len() => format!("{title}: {points} of {of} points."),
+            _ => format!("{title}: {points} of {of} points in the parts you checked."),
+        }
+    }
+
+    /// Its end: the rows and the verdict, without what is said about each part.
+    pub fn summary(&self) -> impl fmt::Display {
+        struct Summary<'a>(&'a Scoreboard<'a>);
+        impl fmt::Display for Summary<'_> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.write_points(f)
+            }
+        }
+        Summary(self)
+    }
+
     fn write_points(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f)?;
-        for part in self.parts {
-            let (id, title) = (part.rubric.id, part.rubric.title);
-            let (points, of) = (part.points(), part.rubric.points());
-            let style = style_of(part.state);
-            writeln!(f, "  {id}  {title:<20} {points:>2} of {of}  {}", Styled(style, part.state.name()))?;
-        }
-        let points: u32 = self.parts.iter().map(PartReport::points).sum();
-        let of: u32 = self.parts.iter().map(|part| part.rubric.points()).sum();
-        let title = self.rubric.title;
+        self.rows().iter().try_for_each(|row| writeln!(f, "  {row}"))?;
         writeln!(f)?;
-        if self.parts.len() == self.rubric.parts.len() {
-            let all = if points == of { " Well done: run `cargo view` and see it run." } else { "" };
-            writeln!(f, "{}{all}", Styled(STRONG, &format!("{title}: {points} of {of} points.")))
-        } else if !self.parts.is_empty() {
-            let asked = format!("{title}: {points} of {of} points in the parts you checked.");
-            writeln!(f, "{}", Styled(STRONG, &asked))
-        } else {
-            Ok(())
+        if self.parts.is_empty() {
+            return Ok(());
         }
+        let (points, of) = self.points();
+        let all_right = points == of && self.parts.len() == self.rubric.parts.len();
+        let all = if all_right { " Well done: run `cargo view` and see it run." } else { "" };
+        writeln!(f, "{}{all}", Styled(STRONG, &self.verdict()))
+    }
+}
+
+/// The points of one part. `Display` gives them as they stand on the scoreboard.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The part's short name, for example `part1`.
+    pub id: &'static str,
+    /// What the part computes.
+    pub title: &'static str,
+    /// The points that were made.
+    pub points: u32,
+    /// The points that could be made.
+    pub of: u32,
+    /// How the part stands.
+    pub state: PartState,
+    /// The misconceptions that were recognised.
+    pub named: Vec<Named>,
+}
+
+impl From<&PartReport> for Row {
+    fn from(part: &PartReport) -> Row {
+        Row {
+            id: part.rubric.id,
+            title: part.rubric.title,
+            points: part.points(),
+            of: part.rubric.points(),
+            state: part.state,
+            named: part.named.clone(),
+        }
+    }
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Row { id, title, points, of, state, .. } = self;
+        write!(f, "{id}  {title:<20} {points:>2} of {of}  {}", Styled(style_of(*state), state.name()))
     }
 }
 

@@ -11,8 +11,36 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use crate::scoreboard::Scoreboard;
 use crate::{Exam, PUBLIC_SEED, PartReport, Solutions, WholeReport, fk, grade_part};
 
-/// How long a check may take.
-const CHECK_LIMIT: Duration = Duration::from_secs(10);
+/// How long a check may take when students grade themselves.
+pub const CHECK_LIMIT: Duration = Duration::from_secs(10);
+
+/// What [`self_grade`] finds out, for programs that show it themselves.
+#[derive(Clone, Debug)]
+pub struct Graded {
+    /// The parts in the rubric's order.
+    pub parts: Vec<PartReport>,
+    /// What they do together.
+    pub whole: WholeReport,
+}
+
+impl Graded {
+    /// Asks `subject` all questions of `exam` within the limits of [`self_grade`], and lets it forget what it keeps
+    /// before every part, as there.
+    pub fn ask(subject: &mut dyn Subject, exam: &Exam) -> Graded {
+        let mut part = |part| {
+            subject.restart();
+            grade_part(subject, part, CHECK_LIMIT)
+        };
+        let parts = exam.parts.iter().map(&mut part).collect();
+        subject.restart();
+        Graded { parts, whole: fk::grade_whole_motion(subject, &exam.whole_motion, CHECK_LIMIT) }
+    }
+
+    /// The text that [`self_grade`] prints.
+    pub fn scoreboard(&self, exam: &Exam) -> Scoreboard<'_> {
+        Scoreboard { rubric: exam.rubric, parts: &self.parts, whole: Some(&self.whole) }
+    }
+}
 
 /// Tells this program, started once more, to answer questions instead of asking them.
 const WORKER: &str = "FK_LAB_WORKER";

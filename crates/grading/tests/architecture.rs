@@ -21,7 +21,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("results", &[]),
     ("sandbox", &[]),
     ("submissions", &[]),
-    ("viewer", &["exam", "parser", "skeleton", "solutions"]),
+    ("viewer", &["exam", "grading", "parser", "skeleton", "solutions"]),
 ];
 
 #[test]

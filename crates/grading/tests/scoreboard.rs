@@ -5,10 +5,9 @@
 use std::time::Duration;
 use std::{env, fs};
 
-use exam::{Functions, InProcess};
+use exam::{Answer, Failure, Functions, InProcess, Question, Subject};
 use glam::{Quat, Vec3};
-use grading::scoreboard::Scoreboard;
-use grading::{PUBLIC_SEED, Solutions, fk, grade_part};
+use grading::{Graded, PUBLIC_SEED, Solutions, fk};
 use skeleton::{FkFunctions, FrameCursor, Joint, Pose};
 
 #[test]
@@ -60,13 +59,36 @@ fn a_mistake_without_a_name_and_a_panic() {
     check("no_name_and_panic", functions);
 }
 
+/// Counts how often it was to forget everything.
+struct Restarted(InProcess, usize);
+
+impl Subject for Restarted {
+    fn ask(&mut self, question: &Question, limit: Duration) -> Result<Answer, Failure> {
+        self.0.ask(question, limit)
+    }
+
+    fn restart(&mut self) {
+        self.1 += 1;
+    }
+}
+
 fn check(name: &str, functions: FkFunctions) {
-    let limit = Duration::from_secs(60);
     let exam = fk::exam(PUBLIC_SEED, &Solutions);
-    let mut subject = InProcess(Functions::Fk(functions));
-    let parts: Vec<_> = exam.parts.iter().map(|part| grade_part(&mut subject, part, limit)).collect();
-    let whole = fk::grade_whole_motion(&mut subject, &exam.whole_motion, limit);
-    let styled = Scoreboard { rubric: exam.rubric, parts: &parts, whole: Some(&whole) }.to_string();
+    let mut subject = Restarted(InProcess(Functions::Fk(functions)), 0);
+    let graded = Graded::ask(&mut subject, &exam);
+    assert_eq!(
+        subject.1,
+        exam.parts.len() + 1,
+        "every part, and the whole motion, meets functions that keep nothing"
+    );
+    let scoreboard = graded.scoreboard(&exam);
+    let styled = scoreboard.to_string();
+    assert!(styled.ends_with(&scoreboard.summary().to_string()));
+    for row in scoreboard.rows() {
+        assert!(styled.contains(&format!("\n  {row}\n")), "{row}");
+        assert!(row.named.iter().all(|named| styled.contains(named.title)), "{row}");
+    }
+    assert!(styled.contains(&scoreboard.verdict()) && scoreboard.verdict().ends_with(" of 15 points."));
     let plain = anstream::adapter::strip_str(&styled).to_string();
     assert!(plain.lines().all(|line| line.chars().count() <= 110), "{plain}");
 

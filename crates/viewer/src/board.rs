@@ -1,18 +1,46 @@
-//! TEMPORARY
-#![allow(missing_docs)]
-#[derive(Clone, Debug, PartialEq)]
+//! The points of one saved state, in the words of `cargo test -p fk`.
+
+use grading::scoreboard::{Row, Scoreboard};
+
+/// The points, for the window and for the terminal.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Board {
+    /// The sum in words: `Forward kinematics: 7 of 15 points.`
     pub title: String,
+    /// One row per part.
     pub rows: Vec<BoardRow>,
+    /// The points that were made.
     pub points: u32,
+    /// The points that could be made.
     pub of: u32,
+    /// All that `cargo test -p fk` says, with escape sequences for colours.
+    pub text: String,
+    /// Its end: the rows and the sum.
+    pub summary: String,
 }
-#[derive(Clone, Debug, PartialEq)]
-pub struct BoardRow {
-    pub id: &'static str,
-    pub title: &'static str,
-    pub points: u32,
-    pub of: u32,
-    pub state: grading::PartState,
-    pub named: Vec<grading::Named>,
+
+/// The points of one part: its title, the state in words, the misconceptions with their titles and hints.
+pub type BoardRow = Row;
+
+impl Board {
+    /// What `scoreboard` says.
+    pub fn new(scoreboard: &Scoreboard) -> Board {
+        let (points, of) = scoreboard.points();
+        Board {
+            title: scoreboard.verdict(),
+            rows: scoreboard.rows(),
+            points,
+            of,
+            text: scoreboard.to_string(),
+            summary: scoreboard.summary().to_string(),
+        }
+    }
+
+    /// What to print after the board `before` was printed: all, or only the rows when they are the same.
+    pub fn news_since(&self, before: Option<&Board>) -> &str {
+        match before {
+            Some(before) if before.rows == self.rows => &self.summary,
+            _ => &self.text,
+        }
+    }
 }

@@ -1,48 +1,91 @@
 //! Everything that a window shows: motions, the student's functions, and what changes on the disk.
 
+use std::path::{Path, PathBuf};
+
 use exam::fk::{LocalAnswer, PosedFrame};
 
 use crate::answers::Answers;
-use crate::app::Shown;
+use crate::app::{App, Shown};
 use crate::gallery::Gallery;
 use crate::input::Gesture;
+use crate::live::Live;
 use crate::screen::Screen;
+use crate::source::Source;
 use crate::student::{Standing, Student};
+use crate::watch::{Change, Watcher};
 
-/// Motions that are shown, and the functions that move them.
+/// Motions that are shown, and the functions that move them. Whatever of it is saved anew is shown anew.
 pub struct Session {
     /// The motions.
     pub gallery: Gallery,
-    student: Option<Student>,
+    sources: Vec<Source>,
+    functions: Functions,
+}
+
+/// Whose functions move the figures.
+enum Functions {
+    /// The student's. They watch the motions' files too.
+    Student(Box<Live>),
+    /// The reference's.
+    Reference(Watcher),
 }
 
 impl Session {
-    /// T
-    pub fn open(
-        gallery: Gallery,
-        _sources: Vec<crate::source::Source>,
-        workspace: Option<std::path::PathBuf>,
-    ) -> Session {
-        let stage = gallery.apps()[0].stage().clone();
-        let student = workspace.map(|w| Student::start(stage, move || crate::worker::compile(&w)));
-        Session { gallery, student }
+    /// Shows `gallery`, whose motions were read from `sources`, in the same order. The functions of the exercise in the
+    /// folder `workspace` move the figures, or else the reference's.
+    pub fn open(gallery: Gallery, sources: Vec<Source>, workspace: Option<&Path>) -> Session {
+        let files: Vec<PathBuf> = sources.iter().map(|source| source.path.clone()).collect();
+        let functions = match workspace {
+            Some(workspace) => {
+                let stages = gallery.apps().iter().map(|app| app.stage().clone()).collect();
+                Functions::Student(Box::new(Live::open(workspace, stages, files)))
+            }
+            None => Functions::Reference(Watcher::of_motions(&files)),
+        };
+        Session { gallery, sources, functions }
     }
 
-    /// Shows `gallery`. With `student`, the student's functions move the figures; without, the reference's do.
-    pub fn new(gallery: Gallery, student: Option<Student>) -> Session {
-        Session { gallery, student }
-    }
-
-    /// Takes in what has changed. Never waits.
+    /// Takes in what has changed. Never waits for the student's functions.
     pub fn update(&mut self) {
-        if let Some(student) = &mut self.student {
-            student.update(self.gallery.apps()[0].frame());
+        let saved = match &mut self.functions {
+            Functions::Student(live) => {
+                let shown: Vec<usize> = self.gallery.apps().iter().map(App::frame).collect();
+                for (motion, app) in self.gallery.apps().iter().enumerate() {
+                    if app.selected().is_some() {
+                        live.student_mut().locals(motion, app.frame());
+                    }
+                }
+                live.update(&shown)
+            }
+            Functions::Reference(watcher) => {
+                let changes: Vec<Change> = watcher.changes().collect();
+                let is_saved =
+                    |motion: &usize| changes.contains(&Change::Motion(self.sources[*motion].path.clone()));
+                (0..self.sources.len()).filter(is_saved).collect()
+            }
+        };
+        saved.into_iter().for_each(|motion| self.read_again(motion));
+    }
+
+    fn read_again(&mut self, motion: usize) {
+        let app = &mut self.gallery.apps_mut()[motion];
+        match self.sources[motion].read() {
+            Ok(loaded) => {
+                if let Functions::Student(live) = &mut self.functions {
+                    live.replace_stage(motion, loaded.stage.clone());
+                }
+                app.replace(loaded.stage, loaded.warnings);
+            }
+            Err(error) => {
+                eprintln!("{error}");
+                app.cannot_read(&error.to_string());
+            }
         }
     }
 
     /// Makes the screen's picture what is to be seen now in a window of `size` pixels. Gives whether it has changed.
     pub fn draw(&mut self, screen: &mut Screen, size: (usize, usize)) -> bool {
-        let answers = OfMotion::all(&self.student, self.gallery.apps().len());
+        let answers = self.functions.answers(self.sources.len());
         screen.update(&mut self.gallery, |motion| shown(&answers, motion), size)
     }
 
@@ -50,7 +93,7 @@ impl Session {
     pub fn gesture(&mut self, gesture: Gesture, size: (usize, usize)) {
         match gesture {
             Gesture::Orbit(right, down) => {
-                self.gallery.apps_mut().iter_mut().for_each(|app| app.orbit(right, down))
+                self.gallery.apps_mut().iter_mut().for_each(|app| app.orbit(right, down));
             }
             Gesture::Pan(right, down) => {
                 for tile in self.gallery.tiles(size) {
@@ -59,17 +102,26 @@ impl Session {
             }
             Gesture::Scrub { pressed, now } => self.gallery.scrub(pressed, now, size),
             Gesture::Click(x, y) => {
-                let answers = OfMotion::all(&self.student, self.gallery.apps().len());
+                let answers = self.functions.answers(self.sources.len());
                 for tile in self.gallery.tiles(size) {
                     if let Some(place) = tile.inside((x, y)) {
-                        self.gallery.apps_mut()[tile.motion].click(
-                            shown(&answers, tile.motion),
-                            place,
-                            tile.size,
-                        );
+                        let shown = shown(&answers, tile.motion);
+                        self.gallery.apps_mut()[tile.motion].click(shown, place, tile.size);
                     }
                 }
             }
+        }
+    }
+}
+
+impl Functions {
+    /// The student's answers for each of `count` motions; none when the reference's functions are shown.
+    fn answers(&self, count: usize) -> Vec<OfMotion<'_>> {
+        match self {
+            Functions::Student(live) => {
+                (0..count).map(|motion| OfMotion { student: live.student(), motion }).collect()
+            }
+            Functions::Reference(_) => Vec::new(),
         }
     }
 }
@@ -78,13 +130,6 @@ impl Session {
 struct OfMotion<'a> {
     student: &'a Student,
     motion: usize,
-}
-
-impl OfMotion<'_> {
-    fn all(student: &Option<Student>, count: usize) -> Vec<OfMotion<'_>> {
-        let of = |student| (0..count).map(move |motion| OfMotion { student, motion });
-        student.iter().flat_map(of).collect()
-    }
 }
 
 fn shown<'a>(answers: &'a [OfMotion], motion: usize) -> Shown<'a> {
@@ -97,10 +142,10 @@ impl Answers for OfMotion<'_> {
     }
 
     fn posed(&self, frame: usize) -> Option<&PosedFrame> {
-        self.student.pose(frame)
+        self.student.pose(self.motion, frame)
     }
 
-    fn locals(&self, _frame: usize) -> Option<&[LocalAnswer]> {
-        None
+    fn locals(&self, frame: usize) -> Option<&[LocalAnswer]> {
+        self.student.known_locals(self.motion, frame)
     }
 }

@@ -19,16 +19,18 @@ pub use no_window::NoWindow;
 /// Pictures per second. The motion's own speed does not depend on it.
 const PICTURES_PER_SECOND: usize = 60;
 
-/// Shows `session` in a window of `size` pixels until it is closed.
+/// Opens a window of `size` pixels, and in it shows the session that `begin` gives, until it is closed.
 ///
 /// # Errors
 ///
 /// When no window can be opened.
-pub fn open(mut session: Session, size: (usize, usize)) -> Result<(), NoWindow> {
+pub fn open(begin: impl FnOnce() -> Session, size: (usize, usize)) -> Result<(), NoWindow> {
     let no_window = |error: minifb::Error| NoWindow { why: error.to_string() };
     let options = WindowOptions { resize: true, ..WindowOptions::default() };
-    let mut title = session.gallery.window_title();
-    let mut window = Window::new(&title, size.0, size.1, options).map_err(no_window)?;
+    let mut window = Window::new("cargo view", size.0, size.1, options).map_err(no_window)?;
+    // Nothing is built where there is no window to show it in.
+    let mut session = begin();
+    let mut title = String::new();
     window.set_target_fps(PICTURES_PER_SECOND);
     let (sender, events) = mpsc::channel();
     window.set_input_callback(Box::new(KeyEvents(sender)));

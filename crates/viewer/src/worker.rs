@@ -8,6 +8,9 @@ use std::thread;
 use exam::WorkerProcess;
 use serde_json::Value;
 
+use crate::diagnostic::{self, Found};
+use crate::student::Version;
+
 /// Why the student's functions cannot be shown, in words for the student.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Trouble {
@@ -17,7 +20,18 @@ pub struct Trouble {
     pub details: Vec<String>,
 }
 
-/// Compiles the package `fk` of the workspace that `folder` lies in and gives a worker that runs its functions.
+/// Stands below the few lines that the window has room for.
+const IN_TERMINAL: &str = "The compiler's own words are in the terminal.";
+
+impl Trouble {
+    /// Whether the terminal has been told already, and better.
+    pub fn is_in_terminal(&self) -> bool {
+        self.details.last().is_some_and(|line| line == IN_TERMINAL)
+    }
+}
+
+/// Compiles the package `fk` of the workspace that `folder` lies in and gives a worker that runs its functions. The worker
+/// is ended when `version` is abandoned; until then what it prints goes to the terminal.
 ///
 /// What the compiler says goes to the terminal as it is. The program is found by cargo's own word, wherever its
 /// target folder is.
@@ -25,8 +39,8 @@ pub struct Trouble {
 /// # Errors
 ///
 /// When cargo cannot be started or the package does not compile.
-pub fn compile(folder: &Path) -> Result<WorkerProcess, Trouble> {
-    run(cargo_build(folder))
+pub fn compile(folder: &Path, version: &Version) -> Result<WorkerProcess, Trouble> {
+    run(cargo_build(folder), version)
 }
 
 fn cargo_build(folder: &Path) -> Command {
@@ -34,7 +48,7 @@ fn cargo_build(folder: &Path) -> Command {
     let color = if io::stderr().is_terminal() { "always" } else { "never" };
     command
         .args(["build", "--quiet", "--package", "fk", "--bin", "fk-worker", "--color", color])
-        .arg("--message-format=json-render-diagnostics")
+        .arg("--message-format=json-diagnostic-rendered-ansi")
         .current_dir(folder)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -42,67 +56,91 @@ fn cargo_build(folder: &Path) -> Command {
     command
 }
 
-fn run(mut command: Command) -> Result<WorkerProcess, Trouble> {
+fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble> {
+    // The build itself is never ended: what it leaves half-written could be taken for the next one's.
     let mut child = command.spawn().map_err(|error| Trouble {
         headline: "cargo could not be started, so your functions are not shown".into(),
-        details: vec![format!("{}: {error}", command.get_program().display())],
+        details: vec![
+            format!("{}: {error}", command.get_program().display()),
+            "Install Rust from https://rustup.rs, open a new terminal, and start the viewer with `cargo view`.".into(),
+        ],
     })?;
-    let stderr = child.stderr.take();
-    let errors = thread::spawn(move || stderr.map(pass_on).unwrap_or_default());
-    let executable = child.stdout.take().and_then(find_executable);
+    let (stderr, listener) = (child.stderr.take(), version.clone());
+    let errors = thread::spawn(move || stderr.map(|stderr| pass_on(stderr, &listener)).unwrap_or_default());
+    let built = child.stdout.take().map(|stdout| read_messages(stdout, version)).unwrap_or_default();
     let status = child.wait();
-    let first_error = errors.join().unwrap_or_default();
+    let cargos_error = errors.join().unwrap_or_default();
 
-    match (status, executable) {
-        (Ok(status), Some(executable)) if status.success() => {
-            Ok(WorkerProcess::new(Command::new(executable)))
-        }
-        _ => {
-            let details =
-                first_error.into_iter().chain(["The compiler's own words are in the terminal.".into()]);
-            Err(Trouble { headline: "your code does not compile".into(), details: details.collect() })
+    match (status, built.executable) {
+        (Ok(status), Some(executable)) if status.success() => Ok(worker(&executable, version)),
+        (status, _) => {
+            let found = built.first_error.unwrap_or(Found { words: cargos_error, ..Found::default() });
+            let mut details = found.lines();
+            if details.is_empty() {
+                let how = status.map_or_else(|error| error.to_string(), |status| status.to_string());
+                details.push(format!("cargo ended without a word: {how}"));
+            }
+            details.push(IN_TERMINAL.into());
+            Err(Trouble { headline: "your code does not compile".into(), details })
         }
     }
 }
 
-/// Copies the compiler's words to the terminal and gives those that say what is wrong first, and where.
-fn pass_on(stderr: impl Read) -> Vec<String> {
+fn worker(executable: &Path, version: &Version) -> WorkerProcess {
+    let worker = WorkerProcess::new(Command::new(executable))
+        .printing_to(version.voice(io::stdout()))
+        .errors_to(version.voice(io::stderr()));
+    let stopper = worker.stopper();
+    version.when_abandoned(move || stopper.stop());
+    worker
+}
+
+/// Copies what cargo itself says to the terminal and gives its first error.
+fn pass_on(stderr: impl Read, version: &Version) -> Vec<String> {
     let mut first_error = Vec::new();
     let mut lines = BufReader::new(stderr).split(b'\n');
-    while let Some(Ok(line)) = lines.next() {
-        // The terminal may be gone; that must not keep the compiler from ending.
-        let _ = io::stderr().write_all(&line).and_then(|()| io::stderr().write_all(b"\n"));
-        let line = without_colors(&String::from_utf8_lossy(&line));
-        let place = line.trim_start().starts_with("--> ");
-        if (first_error.is_empty() && line.starts_with("error")) || (first_error.len() == 1 && place) {
-            first_error.push(line.trim().trim_start_matches("--> ").to_owned());
+    while let Some(Ok(mut line)) = lines.next() {
+        line.push(b'\n');
+        say(&line, version);
+        let line = diagnostic::without_colors(&String::from_utf8_lossy(&line));
+        if first_error.is_empty() && line.starts_with("error") {
+            first_error.push(line.trim().to_owned());
         }
     }
     first_error
 }
 
-/// Reads cargo's messages to their end and gives the path of the program `fk-worker`.
-fn find_executable(stdout: impl Read) -> Option<PathBuf> {
-    let mut executable = None;
+/// What cargo's messages say.
+#[derive(Default)]
+struct Built {
+    executable: Option<PathBuf>,
+    first_error: Option<Found>,
+}
+
+/// Reads cargo's messages to their end, and copies the compiler's words to the terminal.
+fn read_messages(stdout: impl Read, version: &Version) -> Built {
+    let mut built = Built::default();
     let mut lines = BufReader::new(stdout).split(b'\n');
     while let Some(Ok(line)) = lines.next() {
         let Ok(message) = serde_json::from_slice::<Value>(&line) else { continue };
         if message["reason"] == "compiler-artifact" && message["target"]["name"] == "fk-worker" {
-            executable = message["executable"].as_str().map(PathBuf::from).or(executable);
+            built.executable = message["executable"].as_str().map(PathBuf::from).or(built.executable);
+        }
+        if message["reason"] == "compiler-message" {
+            let diagnostic = &message["message"];
+            say(diagnostic["rendered"].as_str().unwrap_or_default().as_bytes(), version);
+            built.first_error = built.first_error.or_else(|| diagnostic::error(diagnostic));
         }
     }
-    executable
+    built
 }
 
-/// `line` without the escape sequences that set colours: ESC `[` … letter.
-fn without_colors(line: &str) -> String {
-    let mut parts = line.split("\u{1b}[");
-    let mut plain = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let end = part.find(|c: char| c.is_ascii_alphabetic()).map_or(part.len(), |letter| letter + 1);
-        plain.push_str(&part[end..]);
+/// Writes to the terminal, with colours only where it has them, unless nobody is interested any more.
+fn say(text: &[u8], version: &Version) {
+    if !version.is_abandoned() {
+        // The terminal may be gone; that must not keep the compiler from ending.
+        let _ = anstream::stderr().write_all(text);
     }
-    plain
 }
 
 #[cfg(test)]
@@ -128,15 +166,19 @@ mod tests {
     fn compile_alone(folder: &Path) -> Result<WorkerProcess, Trouble> {
         let mut command = cargo_build(folder);
         command.env("CARGO_TARGET_DIR", folder.join("target"));
-        run(command)
+        run(command, &Version::default())
     }
 
     #[test]
-    fn code_that_does_not_compile_is_told_with_its_first_error_and_its_place() {
-        let folder = package("fn main() {\n    let x: u8 = \"text\";\n}\n");
+    fn code_that_does_not_compile_is_told_with_its_first_error_its_place_and_its_line() {
+        let folder = package("fn main() {\n    let x: u8 = \"text\";\n}\nfn other() -> u8 { 'c' }\n");
         let trouble = compile_alone(folder.path()).err().unwrap();
         assert_eq!(trouble.headline, "your code does not compile");
         assert_eq!(trouble.details[..2], ["error[E0308]: mismatched types", "worker.rs:2:17"]);
+        assert_eq!(
+            trouble.details[2..4],
+            ["    let x: u8 = \"text\";", "                ^^^^^^ expected `u8`, found `&str`"]
+        );
     }
 
     #[test]
@@ -156,9 +198,20 @@ mod tests {
     }
 
     #[test]
-    fn colours_are_taken_out() {
-        assert_eq!(without_colors("\u{1b}[0m\u{1b}[1m\u{1b}[38;5;9merror\u{1b}[0m: x"), "error: x");
-        assert_eq!(without_colors("plain [m]"), "plain [m]");
-        assert_eq!(without_colors("\u{1b}["), "");
+    fn without_cargo_it_is_told_where_to_get_it() {
+        let trouble = run(Command::new("/no/such/cargo"), &Version::default()).err().unwrap();
+        assert!(trouble.headline.contains("cargo could not be started"), "{trouble:?}");
+        assert!(trouble.details[1].contains("rustup.rs"), "{trouble:?}");
+    }
+
+    #[test]
+    fn without_a_linker_it_is_told_what_to_install() {
+        let folder = package("fn main() {}");
+        let mut command = cargo_build(folder.path());
+        command.env("CARGO_TARGET_DIR", folder.path().join("target"));
+        command.env("RUSTFLAGS", "-Clinker=/no/such/linker");
+        let trouble = run(command, &Version::default()).err().unwrap();
+        assert!(trouble.details[0].contains("linker"), "{trouble:?}");
+        assert!(trouble.details[1].contains("build-essential"), "{trouble:?}");
     }
 }

@@ -13,7 +13,7 @@ use viewer::camera::Spot;
 use viewer::draw::color_of;
 use viewer::scene::Tint;
 use viewer::stage::Stage;
-use viewer::student::{self, Status};
+use viewer::student::{self, Status, Version};
 use viewer::worker::{self, Trouble};
 
 fn view(arguments: &[&str]) -> Output {
@@ -131,7 +131,7 @@ mod png_file {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let motion = parser::bvh::read_file(workspace.join("data/running.bvh")).unwrap().motion;
         let stage = Arc::new(Stage::new(motion, PositionChannels::Replace));
-        let answer = worker::compile(&workspace).and_then(|mut worker| {
+        let answer = worker::compile(&workspace, &Version::default()).and_then(|mut worker| {
             student::ask(&mut worker, &stage, FRAME..FRAME + 1).map_err(Trouble::from)
         });
         let purple = color_of(Tint::Joint).channels();

@@ -259,10 +259,10 @@ mod texts {
         assert_eq!(app.window_title(), "walk.bvh · frame 1 / 5 · playing");
         app.act(Action::Play);
         assert!(words(&app.scene(Shown::Reference, SIZE)).contains("frame 1 / 5"));
-        let failed = Status::Failed(Trouble {
+        let failed = Status::Failed(Arc::new(Trouble {
             headline: "your code does not compile".into(),
             details: vec!["error[E0308]: mismatched types".into()],
-        });
+        }));
         for (status, expected) in
             [(Status::Compiling, "compiling"), (Status::Asking, "asking your functions"), (failed, "E0308")]
         {
@@ -307,7 +307,7 @@ mod texts {
             seen_in: &[],
         };
         recorded.standing.board = Some(Arc::new(Board {
-            title: "Forward kinematics".into(),
+            title: "Forward kinematics: 0 of 15 points.".into(),
             rows: vec![BoardRow {
                 id: "part1",
                 title: "local quaternion",
@@ -318,6 +318,8 @@ mod texts {
             }],
             points: 0,
             of: 15,
+            text: String::new(),
+            summary: String::new(),
         }));
         let told = words(&app.scene(Shown::Student(&recorded), SIZE));
         for part in [

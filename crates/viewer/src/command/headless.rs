@@ -17,7 +17,7 @@ use crate::gallery::Gallery;
 use crate::screen::Screen;
 use crate::sheet::{Sheet, spread};
 use crate::source::Source;
-use crate::student::Status;
+use crate::student::{Status, Version};
 use crate::{picture, worker};
 
 /// Writes what the command line asks for.
@@ -76,7 +76,7 @@ impl Studio {
 
     /// Asks the student's functions for all that will be seen of them.
     fn ask(&mut self) {
-        let mut worker = worker::compile(&workspace());
+        let mut worker = worker::compile(&workspace(), &Version::default());
         for motion in 0..self.gallery.apps().len() {
             let recorded = match &mut worker {
                 Err(trouble) => Recorded::new(Status::Failed(trouble.clone().into())),

@@ -52,7 +52,8 @@ fn view(arguments: &Arguments) -> Result<(), String> {
     }
     let mut gallery = Gallery::new(apps);
     arguments.prepare(&mut gallery)?;
-    let session = Session::open(gallery, sources, (!arguments.solution).then(workspace));
+    let workspace = (!arguments.solution).then(workspace);
+    let session = || Session::open(gallery, sources, workspace.as_deref());
     window::open(session, arguments.size()).map_err(text)
 }
 

@@ -13,8 +13,7 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
         }
         return;
     };
-    let (points, of) = (board.points, board.of);
-    panel.add(Line::Heading, format_args!("{}: {points} of {of} points", board.title));
+    panel.add(Line::Heading, &board.title);
     for row in &board.rows {
         let line = match row.state {
             PartState::Right => Line::Right,

@@ -1,0 +1,91 @@
+//! The student's functions in step with the file: every save is built, asked and graded.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::board::Board;
+use crate::stage::Stage;
+use crate::student::{News, Student};
+use crate::watch::{Change, Watcher};
+use crate::worker;
+
+/// The student's functions, the files that are watched, and what the terminal is told.
+pub struct Live {
+    student: Student,
+    watcher: Watcher,
+    motions: Vec<PathBuf>,
+}
+
+impl Live {
+    /// Builds the exercise of the workspace in the folder `workspace`, and asks it about `stages`. From now on the
+    /// exercise is watched, and so are the files `motions` that the stages were read from, in the same order.
+    ///
+    /// Points, troubles and what the student's functions print go to the terminal.
+    pub fn open(workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<PathBuf>) -> Live {
+        // What is saved from here on is noticed; what was saved before is what is built.
+        let watcher = Watcher::start(&workspace.join("exercises").join("fk").join("src"), &motions);
+        if let Some(note) = watcher.note() {
+            eprintln!("{note}");
+        }
+        let workspace = workspace.to_owned();
+        let mut terminal = Terminal::default();
+        let student = Student::start(
+            stages,
+            move |version| worker::compile(&workspace, version),
+            move |news| terminal.tell(news),
+        );
+        Live { student, watcher, motions }
+    }
+
+    /// Takes what has come, rebuilds what was saved, and gives the motions (from 0) whose files were saved: these are to
+    /// be read again and handed to [`replace_stage`](Live::replace_stage). `shown` is the frame that is shown of each
+    /// motion. Never waits; to be called for every picture.
+    pub fn update(&mut self, shown: &[usize]) -> Vec<usize> {
+        let changes: Vec<Change> = self.watcher.changes().collect();
+        if changes.contains(&Change::Exercise) {
+            self.student.rebuild();
+        }
+        self.student.update(shown);
+        let is_saved = |path: &PathBuf| changes.contains(&Change::Motion(path.clone()));
+        let motions = self.motions.iter().enumerate();
+        motions.filter(|(_, path)| is_saved(path)).map(|(index, _)| index).collect()
+    }
+
+    /// Motion `motion` (from 0) was read again.
+    pub fn replace_stage(&mut self, motion: usize, stage: Arc<Stage>) {
+        self.student.replace_stage(motion, stage);
+    }
+
+    /// The student's functions.
+    pub fn student(&self) -> &Student {
+        &self.student
+    }
+
+    /// Asks for the local rotations of a frame: see [`Student::locals`].
+    pub fn student_mut(&mut self) -> &mut Student {
+        &mut self.student
+    }
+}
+
+/// What the terminal was told last.
+#[derive(Default)]
+struct Terminal {
+    board: Option<Arc<Board>>,
+}
+
+impl Terminal {
+    fn tell(&mut self, news: News) {
+        match news {
+            // Colours only where they can be seen: anstream knows terminals and NO_COLOR.
+            News::Board(board) => {
+                anstream::print!("{}", board.news_since(self.board.as_deref()));
+                self.board = Some(board);
+            }
+            News::Trouble(trouble) if trouble.is_in_terminal() => eprintln!("{}", trouble.headline),
+            News::Trouble(trouble) => {
+                eprintln!("{}", trouble.headline);
+                trouble.details.iter().for_each(|line| eprintln!("  {line}"));
+            }
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Notices when the exercise or a motion is saved.
+//!
+//! The system tells when something happens in a folder: in the folder, since editors often put a new file in the old
+//! one's place. What counts is what the files hold: a touch changes nothing, and a file that is gone or empty for a moment
+//! is about to come back. Folders from which no word comes, as on some network drives, are looked at twice a second.
+
+mod content;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use notify::event::{AccessKind, AccessMode};
+use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher as _};
+
+use content::{Files, Watched};
+
+/// How often the files are looked at when no word comes.
+const POLL: Duration = Duration::from_millis(500);
+
+/// What was saved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// Some file that the exercise's program is built of.
+    Exercise,
+    /// The motion of this path, as it was given to [`Watcher::start`].
+    Motion(PathBuf),
+}
+
+/// Watches the exercise and any number of motions. Ends when it is dropped.
+pub struct Watcher {
+    changes: Receiver<Change>,
+    note: Option<String>,
+    /// Dropping these ends the thread.
+    _system: Option<RecommendedWatcher>,
+    _alive: Sender<Heard>,
+}
+
+/// What the system said: names of files, or that it may have missed some.
+struct Heard(Vec<PathBuf>);
+
+impl Watcher {
+    /// Watches all `*.rs` directly in the folder `exercise`, and the files `motions`. What they hold now is what
+    /// changes are told from. None of them needs to exist.
+    pub fn start(exercise: &Path, motions: &[PathBuf]) -> Watcher {
+        Watcher::new(Some(exercise), motions)
+    }
+
+    /// The same, without an exercise.
+    pub fn of_motions(motions: &[PathBuf]) -> Watcher {
+        Watcher::new(None, motions)
+    }
+
+    fn new(exercise: Option<&Path>, motions: &[PathBuf]) -> Watcher {
+        let (alive, heard) = mpsc::channel();
+        let folders: BTreeSet<&Path> =
+            motions.iter().map(|path| content::folder_of(path)).chain(exercise).collect();
+        let (system, trouble) = match listen(&folders, alive.clone()) {
+            Ok(system) => (Some(system), None),
+            Err(error) => (None, Some(error.to_string())),
+        };
+        let note = trouble.map(|why| {
+            format!("The system does not tell when a file is saved ({why}): it is looked at twice a second instead.")
+        });
+
+        let exercise = exercise.map(|folder| Watched::new(Files::SourcesIn(folder.to_owned())));
+        let motions = motions.iter().map(|path| Watched::new(Files::One(path.clone())));
+        let mut watched: Vec<Watched> = exercise.into_iter().chain(motions).collect();
+        let (sender, changes) = mpsc::channel();
+        let work = move || watch(&mut watched, &heard, &sender);
+        let note = match thread::Builder::new().name("watch".into()).spawn(work) {
+            Ok(_) => note,
+            Err(error) => Some(format!("Saved files cannot be noticed: {error}")),
+        };
+        Watcher { changes, note, _system: system, _alive: alive }
+    }
+
+    /// What has changed since this was last asked. Does not wait.
+    pub fn changes(&mut self) -> impl Iterator<Item = Change> + '_ {
+        self.changes.try_iter()
+    }
+
+    /// What the user should know about how changes are noticed, if anything.
+    pub fn note(&self) -> Option<&str> {
+        self.note.as_deref()
+    }
+}
+
+/// Has the system send word of what happens directly in `folders`.
+fn listen(folders: &BTreeSet<&Path>, sender: Sender<Heard>) -> notify::Result<RecommendedWatcher> {
+    let tell = move |event: notify::Result<notify::Event>| {
+        let names = match event {
+            Ok(event) if !matters(event.kind) => return,
+            Ok(event) if !event.need_rescan() => event.paths,
+            Ok(_) | Err(_) => Vec::new(),
+        };
+        // Nobody listens any more only when the watcher is about to go.
+        let _ = sender.send(Heard(names));
+    };
+    let mut system = notify::recommended_watcher(tell)?;
+    for folder in folders {
+        system.watch(folder, RecursiveMode::NonRecursive)?;
+    }
+    Ok(system)
+}
+
+/// Reading changes nothing; and reading is what looking at the files does.
+fn matters(kind: EventKind) -> bool {
+    match kind {
+        EventKind::Access(access) => access == AccessKind::Close(AccessMode::Write),
+        _ => true,
+    }
+}
+
+/// Looks at the files whenever word comes, or it is time to, until the watcher has gone.
+fn watch(watched: &mut [Watched], heard: &Receiver<Heard>, changes: &Sender<Change>) {
+    loop {
+        let now = Instant::now();
+        let next = watched.iter().filter_map(Watched::due).min();
+        let wait = next.map_or(POLL, |due| due.saturating_duration_since(now).min(POLL));
+        match heard.recv_timeout(wait) {
+            Ok(first) => {
+                for Heard(names) in [first].into_iter().chain(heard.try_iter()) {
+                    watched.iter_mut().for_each(|one| one.hear(&names));
+                }
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => return,
+        }
+        for one in watched.iter_mut() {
+            if one.look(Instant::now()) {
+                let change = match one.files() {
+                    Files::SourcesIn(_) => Change::Exercise,
+                    Files::One(path) => Change::Motion(path.clone()),
+                };
+                if changes.send(change).is_err() {
+                    return;
+                }
+            }
+        }
+    }
+}
