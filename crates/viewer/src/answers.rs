@@ -8,7 +8,7 @@ use exam::fk::{LocalAnswer, PosedFrame};
 use skeleton::{FkFunctions, Frame, FrameCursor, Pose, pose_frame};
 
 use crate::stage::Stage;
-use crate::student::{self, Standing, Status};
+use crate::student::{self, PATIENCE, Standing, Status};
 use crate::worker::Trouble;
 
 /// The answers of a student's functions.
@@ -63,6 +63,14 @@ impl Recorded {
             }
         }
         recorded
+    }
+
+    /// Asks part 1 by itself about every joint in a frame. Where it fails nothing is known.
+    pub fn ask_locals(&mut self, subject: &mut impl Subject, stage: &Stage, frame: usize) {
+        let joints = stage.motion().skeleton().joints();
+        if let Ok(locals) = student::ask_locals(subject, joints, stage.frame(frame).angles, PATIENCE) {
+            self.locals.insert(frame, locals);
+        }
     }
 
     /// The answers of `functions` to these frames of the motion on `stage`, given here and now. A panic of theirs goes

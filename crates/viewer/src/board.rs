@@ -1,6 +1,10 @@
 //! The points of one saved state, in the words of `cargo test -p fk`.
 
+use std::sync::OnceLock;
+
+use exam::Subject;
 use grading::scoreboard::{Row, Scoreboard};
+use grading::{Exam, Graded, PUBLIC_SEED, Solutions};
 
 /// The points, for the window and for the terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,6 +27,13 @@ pub struct Board {
 pub type BoardRow = Row;
 
 impl Board {
+    /// Puts the questions that students see to `subject`. Takes as long as it needs, or as the limits for checks allow.
+    pub fn of(subject: &mut impl Subject) -> Board {
+        static EXAM: OnceLock<Exam> = OnceLock::new();
+        let exam = EXAM.get_or_init(|| grading::fk::exam(PUBLIC_SEED, &Solutions));
+        Board::new(&Graded::ask(subject, exam).scoreboard(exam))
+    }
+
     /// What `scoreboard` says.
     pub fn new(scoreboard: &Scoreboard) -> Board {
         let (points, of) = scoreboard.points();

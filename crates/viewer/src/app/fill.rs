@@ -142,7 +142,7 @@ impl App {
     /// Where the tips of the solid figure have been.
     fn trace(&self, scene: &mut Scene, shown: Shown, frame: &mut skeleton::Frame, past: &mut Pose) {
         let stage = &self.stage;
-        let tips = stage.end_sites();
+        let tips = stage.traced();
         let most = self.traced_frames();
         // Every so many frames of the motion, so that points do not crawl along their trace.
         let step = most.div_ceil(TRACE_POINTS).max(1);

@@ -2,13 +2,16 @@
 
 use std::convert::Infallible;
 use std::path::Path;
+use std::sync::Arc;
 
+use exam::WorkerProcess;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::{Arguments, Output};
 use super::{say, text, workspace};
 use crate::answers::Recorded;
 use crate::app::{App, Shown};
+use crate::board::Board;
 use crate::canvas::Canvas;
 use crate::draw::Painter;
 use crate::film::{self, Format, Frames};
@@ -76,14 +79,12 @@ impl Studio {
 
     /// Asks the student's functions for all that will be seen of them.
     fn ask(&mut self) {
-        let mut worker = worker::compile(&workspace(), &Version::default());
+        let version = Version::default();
+        let mut worker = worker::compile(&workspace(), &version);
         for motion in 0..self.gallery.apps().len() {
             let recorded = match &mut worker {
                 Err(trouble) => Recorded::new(Status::Failed(trouble.clone().into())),
-                Ok(worker) => {
-                    let frames = self.frames.iter().flat_map(|frame| self.seen_with(motion, *frame));
-                    Recorded::ask(worker, self.gallery.apps()[motion].stage(), frames)
-                }
+                Ok(worker) => self.record(worker, motion),
             };
             if let Status::Failed(trouble) = &recorded.standing.status {
                 let shown = if recorded.poses.is_empty() { "only the goal" } else { "what came before that" };
@@ -91,6 +92,25 @@ impl Studio {
             }
             self.answers.push(recorded);
         }
+        let settings = self.gallery.apps()[0].settings;
+        if let (Ok(worker), true) = (&mut worker, settings.points && settings.words) {
+            // What is printed while other questions are answered is about nothing that the picture shows.
+            version.hush(true);
+            let board = Arc::new(Board::of(worker));
+            self.answers.iter_mut().for_each(|recorded| recorded.standing.board = Some(board.clone()));
+        }
+    }
+
+    fn record(&self, worker: &mut WorkerProcess, motion: usize) -> Recorded {
+        let app = &self.gallery.apps()[motion];
+        let frames = self.frames.iter().flat_map(|frame| self.seen_with(motion, *frame));
+        let mut recorded = Recorded::ask(worker, app.stage(), frames);
+        if app.selected().is_some() && app.settings.words {
+            for frame in &self.frames {
+                recorded.ask_locals(worker, app.stage(), self.frame_of(motion, *frame));
+            }
+        }
+        recorded
     }
 
     /// The frames of a motion that are seen in the picture of one frame of the first motion.

@@ -1,5 +1,6 @@
 //! From a pose to the figure that is drawn.
 
+use glam::Vec3;
 use skeleton::{Joint, Pose};
 
 use super::Stage;
@@ -40,7 +41,11 @@ impl Stage {
             if let Some(parent) = joint.parent {
                 let side = self.sides[joint.id.0];
                 let from = self.place(pose[parent].position);
-                let (radius, joints) = (self.radii[joint.id.0], (parent.0, joint.id.0));
+                let right = wanted
+                    .expected
+                    .map(|expected| expected[joint.id].position.distance(expected[parent].position));
+                let thinner = right.map_or(1.0, |right| thinner(from.distance(place), right));
+                let (radius, joints) = (self.radii[joint.id.0] * thinner, (parent.0, joint.id.0));
                 figure.bones.push(Bone { from, to: place, side, radius, joints });
             }
             if wanted.axes && !joint.is_end_site {
@@ -50,6 +55,31 @@ impl Stage {
             }
         }
     }
+}
+
+/// How much thinner a bone is that should be `right` long and has been stretched to `length`, as a share of its radius.
+fn thinner(length: f32, right: f32) -> f32 {
+    const UNTIL: f32 = 1.3;
+    const MOST: f32 = 0.3;
+    let share = UNTIL * right / length;
+    if share < 1.0 { share.max(MOST) } else { 1.0 }
+}
+
+/// Of joints at which nothing hangs, those that leave traces: of some that are close together, like the tips of fingers,
+/// the one that is farthest from the root. `rest` are the places of all joints at rest, and `size` is the figure's.
+pub(super) fn traced(tips: &[usize], rest: &[Vec3], size: f32) -> Vec<usize> {
+    const CLOSE: f32 = 0.09;
+    let from_root = |tip: &usize| rest[*tip].distance(rest[0]);
+    let mut farthest_first = tips.to_vec();
+    farthest_first.sort_by(|a, b| from_root(b).total_cmp(&from_root(a)));
+    let mut traced: Vec<usize> = Vec::new();
+    for tip in farthest_first {
+        if traced.iter().all(|other| rest[*other].distance(rest[tip]) > CLOSE * size) {
+            traced.push(tip);
+        }
+    }
+    traced.sort_unstable();
+    traced
 }
 
 /// The joints that are no other's parent.
@@ -63,7 +93,7 @@ pub(super) fn tips(joints: &[Joint]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use glam::{Quat, Vec3};
+    use glam::Quat;
     use skeleton::{JointId, PositionChannels};
 
     use super::*;
@@ -113,10 +143,35 @@ mod tests {
 
     #[test]
     fn tips_are_end_sites_and_leaves_without_one() {
-        assert_eq!(stage(None).end_sites(), [2, 4]);
+        assert_eq!(tips(samples::chain(1, 1.0).skeleton().joints()), [2, 4]);
         let mut skeleton = skeleton::Skeleton::new();
         let root = skeleton.add_joint(None, "r", Vec3::ZERO, []).unwrap();
         skeleton.add_joint(Some(root), "leaf", Vec3::Y, []).unwrap();
         assert_eq!(tips(skeleton.joints()), [1]);
+    }
+
+    #[test]
+    fn of_tips_that_are_close_together_one_leaves_a_trace() {
+        let rest = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 0.01, 0.0), Vec3::new(1.02, 0.0, 0.0), -Vec3::Y];
+        assert_eq!(traced(&[1, 2, 3, 4], &rest, 1.0), [3, 4]);
+        assert_eq!(traced(&[1, 2, 3, 4], &rest, 0.01), [1, 2, 3, 4]);
+        assert!(traced(&[], &[], 1.0).is_empty());
+        assert_eq!(traced(&[1, 2], &[Vec3::NAN; 3], 1.0).len(), 1);
+    }
+
+    #[test]
+    fn bones_that_are_too_long_are_thin() {
+        let stage = stage(None);
+        let expected = stage.reference(1);
+        let mut given = expected.clone();
+        given[JointId(2)].position.y -= 10.0;
+        let wanted = Wanted { expected: Some(&expected), ..Wanted::default() };
+        let mut figure = Figure::default();
+        stage.fill(&mut figure, &given, &wanted);
+        let radius = |figure: &Figure, bone: usize| figure.bones[bone].radius;
+        let right = stage.figure(&expected, Look::Solid, false);
+        assert!(radius(&figure, 1) < 0.5 * radius(&right, 1));
+        assert_eq!(radius(&figure, 0), radius(&right, 0));
+        assert!(thinner(f32::NAN, 1.0) == 1.0 && thinner(1.0, 0.0) > 0.0 && thinner(0.0, 0.0) == 1.0);
     }
 }

@@ -24,7 +24,8 @@ pub struct Stage {
     up: Up,
     upright: Quat,
     sides: Vec<Side>,
-    end_sites: Vec<usize>,
+    /// The tips that leave traces.
+    traced: Vec<usize>,
     /// How thick the bone to each joint is.
     radii: Vec<f32>,
     size: f32,
@@ -62,7 +63,7 @@ impl Stage {
             up: Up::Y,
             upright: Quat::IDENTITY,
             sides: sides(joints),
-            end_sites: tips(joints),
+            traced: Vec::new(),
             radii: Vec::new(),
             motion,
             positions,
@@ -76,7 +77,9 @@ impl Stage {
         stage.up = up.unwrap_or_else(|| stage.find_up());
         stage.upright = stage.up.rotation();
         stage.measure();
-        stage.radii = body::radii(stage.motion.skeleton(), stage.size);
+        let skeleton = stage.motion.skeleton();
+        stage.radii = body::radii(skeleton, stage.size);
+        stage.traced = figure::traced(&tips(skeleton.joints()), &skeleton.rest_positions(), stage.size);
         stage
     }
 
@@ -190,9 +193,9 @@ impl Stage {
         pose.transforms().iter().map(|transform| self.place(transform.position))
     }
 
-    /// The joints at which nothing hangs: End Sites, and leaves without one.
-    pub fn end_sites(&self) -> &[usize] {
-        &self.end_sites
+    /// The joints that leave traces: End Sites, and leaves without one, of those that are close together only one.
+    pub fn traced(&self) -> &[usize] {
+        &self.traced
     }
 
     /// The plane below the figure.

@@ -52,7 +52,7 @@ pub(super) fn poses(
 }
 
 /// Asks part 1 for `joints`, one after the other, over `angles` (degrees).
-pub(super) fn locals(
+pub(crate) fn locals(
     subject: &mut impl Subject,
     joints: &[Joint],
     angles: Vec<f32>,

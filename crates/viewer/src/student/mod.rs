@@ -24,6 +24,7 @@ use std::thread;
 use exam::Subject;
 use exam::fk::{LocalAnswer, PosedFrame};
 
+pub(crate) use ask::locals as ask_locals;
 pub use ask::{PATIENCE, ask};
 pub use version::Version;
 

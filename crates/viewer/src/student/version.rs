@@ -59,7 +59,7 @@ impl Version {
     }
 
     /// Closes or opens the way for print.
-    pub(super) fn hush(&self, hushed: bool) {
+    pub(crate) fn hush(&self, hushed: bool) {
         self.0.hushed.store(hushed, Ordering::SeqCst);
     }
 

@@ -2,12 +2,11 @@
 
 use std::io;
 use std::sync::mpsc::Sender;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::Duration;
 
 use exam::fk::{LocalAnswer, PosedFrame};
 use exam::{Answer, Failure, Question, Subject};
-use grading::{Exam, Graded, PUBLIC_SEED, Solutions};
 
 use super::ask::{self, FRAME_LIMIT, PATIENCE};
 use super::narrow::{self, Place};
@@ -150,9 +149,7 @@ impl Work {
             }
             Task::Grade => {
                 self.send(Event::Grading);
-                let exam = public_exam();
-                let graded = Graded::ask(&mut Attentive { subject, work: self }, exam);
-                let board = Arc::new(Board::new(&graded.scoreboard(exam)));
+                let board = Arc::new(Board::of(&mut Attentive { subject, work: self }));
                 self.send(Event::Graded(Arc::clone(&board)));
                 self.tell(News::Board(board));
             }
@@ -247,10 +244,4 @@ impl<S: Subject> Subject for Attentive<'_, S> {
     fn restart(&mut self) {
         self.subject.restart();
     }
-}
-
-/// The questions that students see.
-fn public_exam() -> &'static Exam {
-    static EXAM: OnceLock<Exam> = OnceLock::new();
-    EXAM.get_or_init(|| grading::fk::exam(PUBLIC_SEED, &Solutions))
 }

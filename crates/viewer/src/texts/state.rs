@@ -127,6 +127,9 @@ fn undrawn(facts: &Facts, panel: &mut Panel) {
 /// Whether the student's functions take the right number of angles.
 fn angles(facts: &Facts, panel: &mut Panel) {
     let Some(posed) = facts.posed else { return };
+    if facts.standing.is_some_and(|standing| !standing.current) {
+        return;
+    }
     match (posed.taken, posed.available) {
         (0, 1..) => panel.add(Line::Text, "part 1 takes no angles of the frame yet"),
         (taken, available) if taken != available => panel.add(
