@@ -83,7 +83,9 @@ impl fmt::Display for NoFrame {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FrameRangeError {
     /// Neither a number nor two with dots between them.
-    #[error("write one frame as 120, several as 100..200, 100.. or ..50, and every 4th of them as 100..200/4")]
+    #[error(
+        "write one frame as 120, several as 100..200, 100.. or ..50, and every 4th of them as 100..200/4"
+    )]
     Shape,
     /// A part that should be a number.
     #[error("{0:?} is not the number of a frame: frames are counted 0, 1, 2 …, as the window shows them")]
