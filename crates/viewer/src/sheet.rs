@@ -243,7 +243,7 @@ mod tests {
                 // On a grid whose meshes are larger than a tile: none can reach into another.
                 let (right, down) = layout.pitch();
                 prop_assert!(right > layout.tile.0 && down > layout.tile.1 + STRIP);
-                prop_assert!((left - LINE) % right == 0 && (top - LINE) % down == 0);
+                prop_assert!((left - LINE).is_multiple_of(right) && (top - LINE).is_multiple_of(down));
             }
         }
 
