@@ -243,3 +243,25 @@ fn a_folder_that_is_not_there_is_told() {
     let words = error.to_string();
     assert!(words.starts_with(&format!("the film cannot be written to {}: ", path.display())), "{words}");
 }
+
+#[test]
+fn pixels_of_a_gif_that_stay_are_not_written_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let frames = Frames { count: 3, size: (64, 48), seconds: 0.04 };
+    // Two corners change, and with them the part that is written is the whole picture.
+    let corners = |index: usize, canvas: &mut Canvas| {
+        draw(0, canvas).map(|()| {
+            for corner in [(0, 0), (63, 47)] {
+                canvas.rectangle(corner, (1, 1), Color(0x40_00_00 * index as u32), 1.0);
+            }
+        })
+    };
+    film::write(&place(&folder), Format::Gif, frames, corners, |_| ()).unwrap();
+    let mut decoder = gif::DecodeOptions::new().read_info(File::open(place(&folder)).unwrap()).unwrap();
+    let mut kept = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        assert_eq!((frame.width, frame.height), (64, 48));
+        kept.push(frame.buffer.iter().filter(|index| Some(**index) == frame.transparent).count());
+    }
+    assert_eq!(kept, [0, 64 * 48 - 2, 64 * 48 - 2]);
+}
