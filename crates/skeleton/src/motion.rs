@@ -7,7 +7,7 @@ use glam::Vec3;
 use crate::{Channel, Skeleton};
 
 /// A skeleton and its movement: for every frame one row with a number for every channel, in the order of the file.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
     skeleton: Skeleton,
     frame_count: usize,

@@ -40,6 +40,15 @@ impl Camera {
         self.distance = (self.distance * factor).clamp(NEAREST, FARTHEST);
     }
 
+    /// Moves sideways so that what is at the target's distance moves by these many pixels of a picture of `size`.
+    pub fn pan(&mut self, right: f32, down: f32, size: (usize, usize)) {
+        let view = self.view(size);
+        let moved = self.target - (view.right * right - view.up * down) * (self.distance / view.focal);
+        if moved.is_finite() {
+            self.target = moved;
+        }
+    }
+
     /// Looks at the middle of `points` from just as far that all of them are inside the picture, `margin` away from
     /// its borders (0.1 leaves a tenth of the picture free on each side). The direction stays. `room` is the least
     /// size, in world units, that the picture shows, so that a single point is not looked at from no distance at all.
@@ -181,6 +190,17 @@ mod tests {
         assert!(view.project(Vec3::Y).unwrap().y < 179.0);
         assert!(view.project(Vec3::Z).unwrap().nearness > middle.nearness, "+Z is nearer");
         assert_eq!(view.project(Vec3::Z * 11.0), None, "behind the camera");
+    }
+
+    #[test]
+    fn panning_moves_the_target_by_so_many_pixels() {
+        let mut camera = Camera { target: Vec3::ONE, azimuth: 0.8, elevation: 0.4, distance: 7.0 };
+        camera.pan(30.0, -12.0, SIZE);
+        let spot = camera.view(SIZE).project(Vec3::ONE).unwrap();
+        assert!((spot.x - 350.0).abs() < 0.01 && (spot.y - 168.0).abs() < 0.01, "{spot:?}");
+        let before = camera;
+        camera.pan(f32::NAN, f32::INFINITY, SIZE);
+        assert_eq!(camera, before);
     }
 
     #[test]

@@ -1,28 +1,67 @@
-//! The keys: one table for what they do, for the help in the window and for `--help`.
+//! The keys: one table for what they do, for the help in the window, for `--help` and for the book.
 
 use minifb::Key;
 
 /// Something that a key makes happen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// Go to the next frame.
-    Next,
-    /// Go to the frame before.
-    Previous,
-    /// Go to frame 0.
-    First,
+    /// Go this many frames further, or back when it is negative.
+    Step(isize),
     /// Play or pause.
     Play,
+    /// Play in the other direction.
+    Reverse,
+    /// Play more slowly.
+    Slower,
+    /// Play faster.
+    Faster,
+    /// Begin again at the end, or stop there.
+    Loop,
+    /// Go to frame 0.
+    First,
+    /// Go to the last frame.
+    Last,
+    /// Play from this frame on.
+    RangeStart,
+    /// Play up to this frame.
+    RangeEnd,
     /// Move the camera so that everything is in the picture.
     Frame,
+    /// Move the camera with the figure, or leave it where it is.
+    Follow,
     /// Show or hide the goal.
     Ghost,
+    /// Show or hide motion traces.
+    Traces,
     /// Show or hide the joints' axes.
     Axes,
+    /// Draw bodies with light and shadow, or plain lines.
+    Look,
+    /// Look at the next joint.
+    NextJoint,
+    /// Look at the joint before.
+    PreviousJoint,
+    /// Look at no joint.
+    NoJoint,
+    /// Show or hide the points.
+    Points,
+    /// Show the next motion by itself, or all side by side.
+    NextMotion,
     /// Show or hide the help.
     Help,
     /// Close the window.
     Quit,
+}
+
+/// One line of the help: some keys that belong together.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The keys' names, for people.
+    pub name: &'static str,
+    /// What they do, for people.
+    pub help: &'static str,
+    /// The keys.
+    pub bindings: &'static [Binding],
 }
 
 /// A key and what it does.
@@ -30,86 +69,128 @@ pub enum Action {
 pub struct Binding {
     /// The key.
     pub key: Key,
-    /// Whether Shift is held with it.
-    pub shift: bool,
+    /// Whether Shift must be held with it (`Some(true)`), must not be, or does not matter.
+    pub shift: Option<bool>,
     /// What happens.
     pub action: Action,
     /// Whether it happens again and again while the key is held.
     pub repeats: bool,
-    /// The key's name for people.
-    pub name: &'static str,
-    /// What happens, for people.
-    pub help: &'static str,
 }
 
 /// All keys, in the order of the help.
-pub const BINDINGS: [Binding; 9] = [
-    binding(Key::W, "w", Action::Next, "next frame (hold it to go on)").repeating(),
-    binding(Key::W, "Shift w", Action::Previous, "frame before").repeating().with_shift(),
-    binding(Key::Space, "Space", Action::Play, "play at the file's own speed, or pause"),
-    binding(Key::Home, "Home", Action::First, "back to frame 0"),
-    binding(Key::F, "f", Action::Frame, "bring everything into the picture"),
-    binding(Key::G, "g", Action::Ghost, "show or hide the goal"),
-    binding(Key::A, "a", Action::Axes, "show or hide the joints' axes"),
-    binding(Key::H, "h", Action::Help, "show or hide this help"),
-    binding(Key::Escape, "Esc", Action::Quit, "close the window"),
+pub const ROWS: &[Row] = &[
+    row("Space", "play, or pause", &[binding(Key::Space, Action::Play)]),
+    row(
+        "w → .",
+        "next frame (hold it to go on)",
+        &[step(Key::W, 1), step(Key::Right, 1), step(Key::Period, 1)],
+    ),
+    row("← ,", "frame before", &[step(Key::Left, -1), step(Key::Comma, -1)]),
+    row(
+        "Shift → ←",
+        "ten frames at once",
+        &[
+            leap(Key::W, 10),
+            leap(Key::Right, 10),
+            leap(Key::Period, 10),
+            leap(Key::Left, -10),
+            leap(Key::Comma, -10),
+        ],
+    ),
+    row(
+        "Home End",
+        "first frame, last frame",
+        &[binding(Key::Home, Action::First), binding(Key::End, Action::Last)],
+    ),
+    row("r", "play in the other direction", &[binding(Key::R, Action::Reverse)]),
+    row(
+        "- =",
+        "slower, faster: from 0.1× to 4×",
+        &[
+            binding(Key::Minus, Action::Slower),
+            binding(Key::NumPadMinus, Action::Slower),
+            binding(Key::Equal, Action::Faster),
+            binding(Key::NumPadPlus, Action::Faster),
+        ],
+    ),
+    row(
+        "[ ]",
+        "play from this frame on, up to this frame (again: all)",
+        &[binding(Key::LeftBracket, Action::RangeStart), binding(Key::RightBracket, Action::RangeEnd)],
+    ),
+    row("o", "begin again at the end, or stop there", &[binding(Key::O, Action::Loop)]),
+    row("f", "bring everything into the picture", &[binding(Key::F, Action::Frame)]),
+    row("c", "move along with the figure, or stay", &[binding(Key::C, Action::Follow)]),
+    row(
+        "Tab",
+        "look at the next joint (with Shift: the one before)",
+        &[
+            Binding { shift: Some(false), repeats: true, ..binding(Key::Tab, Action::NextJoint) },
+            Binding { shift: Some(true), repeats: true, ..binding(Key::Tab, Action::PreviousJoint) },
+        ],
+    ),
+    row("Backspace", "look at no joint any more", &[binding(Key::Backspace, Action::NoJoint)]),
+    row("g", "show or hide the goal", &[binding(Key::G, Action::Ghost)]),
+    row("a", "show or hide the joints' axes", &[binding(Key::A, Action::Axes)]),
+    row("t", "show or hide the traces of the tips", &[binding(Key::T, Action::Traces)]),
+    row("l", "bodies in the light, or plain lines", &[binding(Key::L, Action::Look)]),
+    row("s", "show or hide your points", &[binding(Key::S, Action::Points)]),
+    row("m", "of several motions: one by itself, or all", &[binding(Key::M, Action::NextMotion)]),
+    row("h F1", "show or hide this help", &[binding(Key::H, Action::Help), binding(Key::F1, Action::Help)]),
+    row("Esc", "close the window", &[binding(Key::Escape, Action::Quit)]),
 ];
 
 /// What the mouse does: its name and its effect, for people.
-const MOUSE: [(&str, &str); 2] = [("drag", "look from another side"), ("wheel", "closer or farther away")];
+const MOUSE: [(&str, &str); 5] = [
+    ("drag", "look from another side"),
+    ("right drag", "move the picture (or Shift and drag)"),
+    ("wheel", "closer or farther away"),
+    ("click", "look at a joint"),
+    ("bar below", "drag it to go to a frame"),
+];
+
+/// Keys that belong to other exercises: interpolation, keyframes, error vectors and their plot.
+#[cfg(test)]
+const KEPT: [Key; 4] = [Key::I, Key::K, Key::E, Key::P];
 
 /// Keys and mouse, name and effect for people: what the help in the window, `--help` and the book say.
 pub fn help() -> impl Iterator<Item = (&'static str, &'static str)> {
-    BINDINGS.iter().map(|binding| (binding.name, binding.help)).chain(MOUSE)
+    ROWS.iter().map(|row| (row.name, row.help)).chain(MOUSE)
 }
 
-const fn binding(key: Key, name: &'static str, action: Action, help: &'static str) -> Binding {
-    Binding { key, shift: false, action, repeats: false, name, help }
+/// What belongs to a key, with or without Shift.
+pub fn of_key(key: Key, shift: bool) -> Option<&'static Binding> {
+    let fits = |binding: &&Binding| binding.key == key && binding.shift.is_none_or(|wanted| wanted == shift);
+    ROWS.iter().flat_map(|row| row.bindings).find(fits)
 }
 
-impl Binding {
-    const fn repeating(self) -> Binding {
-        Binding { repeats: true, ..self }
-    }
-
-    const fn with_shift(self) -> Binding {
-        Binding { shift: true, ..self }
-    }
-}
-
-/// Turns key events into actions. Events come in the order in which they happened, so that even the shortest tap
-/// counts; a key that is held sends its event again and again, as often as the system says.
-#[derive(Debug, Default)]
-pub struct Keyboard {
-    held: Vec<Key>,
-}
-
-impl Keyboard {
-    /// What the event "`key` is now down" (or up) makes happen, if anything.
-    pub fn event(&mut self, key: Key, down: bool) -> Option<Action> {
-        let repeated = self.held.contains(&key);
-        self.held.retain(|held| *held != key);
-        if !down {
-            return None;
-        }
-        self.held.push(key);
-        let shift = self.held.contains(&Key::LeftShift) || self.held.contains(&Key::RightShift);
-        let fits = |binding: &&Binding| {
-            binding.key == key
-                && (binding.shift == shift || !uses_shift(key))
-                && (binding.repeats || !repeated)
-        };
-        BINDINGS.iter().find(fits).map(|binding| binding.action)
-    }
-
-    /// Forgets which keys are held: the window is no longer told when they are let go.
-    pub fn forget(&mut self) {
-        self.held.clear();
+/// The key that a character stands on where keyboards differ: on many there is no key that has it by itself.
+pub fn of_character(character: char) -> Option<Key> {
+    match character {
+        '[' => Some(Key::LeftBracket),
+        ']' => Some(Key::RightBracket),
+        '-' => Some(Key::Minus),
+        '=' | '+' => Some(Key::Equal),
+        '.' => Some(Key::Period),
+        ',' => Some(Key::Comma),
+        _ => None,
     }
 }
 
-fn uses_shift(key: Key) -> bool {
-    BINDINGS.iter().any(|binding| binding.key == key && binding.shift)
+const fn row(name: &'static str, help: &'static str, bindings: &'static [Binding]) -> Row {
+    Row { name, help, bindings }
+}
+
+const fn binding(key: Key, action: Action) -> Binding {
+    Binding { key, shift: None, action, repeats: false }
+}
+
+const fn step(key: Key, frames: isize) -> Binding {
+    Binding { shift: Some(false), repeats: true, ..binding(key, Action::Step(frames)) }
+}
+
+const fn leap(key: Key, frames: isize) -> Binding {
+    Binding { shift: Some(true), ..step(key, frames) }
 }
 
 #[cfg(test)]
@@ -118,40 +199,29 @@ mod tests {
 
     #[test]
     fn no_key_has_two_meanings_and_every_key_has_words() {
-        for (i, a) in BINDINGS.iter().enumerate() {
-            assert!(!a.name.is_empty() && !a.help.is_empty());
-            assert!(BINDINGS[i + 1..].iter().all(|b| (a.key, a.shift) != (b.key, b.shift)));
+        let bindings: Vec<&Binding> = ROWS.iter().flat_map(|row| row.bindings).collect();
+        for (i, a) in bindings.iter().enumerate() {
+            for b in &bindings[i + 1..] {
+                let both = a.shift.is_none() || b.shift.is_none() || a.shift == b.shift;
+                assert!(!both || a.key != b.key, "{a:?} and {b:?}");
+            }
+        }
+        for (i, a) in ROWS.iter().enumerate() {
+            assert!(!a.name.is_empty() && !a.help.is_empty() && !a.bindings.is_empty());
+            assert!(ROWS[i + 1..].iter().all(|b| a.name != b.name && a.help != b.help));
         }
     }
 
     #[test]
-    fn a_held_key_repeats_only_where_that_is_wanted() {
-        let mut keyboard = Keyboard::default();
-        assert_eq!(keyboard.event(Key::W, true), Some(Action::Next));
-        assert_eq!(keyboard.event(Key::W, true), Some(Action::Next));
-        assert_eq!(keyboard.event(Key::W, false), None);
-        assert_eq!(keyboard.event(Key::Space, true), Some(Action::Play));
-        assert_eq!(keyboard.event(Key::Space, true), None);
-        assert_eq!(keyboard.event(Key::Space, false), None);
-        assert_eq!(keyboard.event(Key::Space, true), Some(Action::Play));
-        assert_eq!(keyboard.event(Key::Q, true), None);
+    fn keys_of_other_exercises_are_free() {
+        for key in KEPT {
+            assert!([false, true].iter().all(|shift| of_key(key, *shift).is_none()), "{key:?}");
+        }
     }
 
     #[test]
-    fn shift_matters_for_keys_that_use_it() {
-        let mut keyboard = Keyboard::default();
-        keyboard.event(Key::RightShift, true);
-        assert_eq!(keyboard.event(Key::W, true), Some(Action::Previous));
-        assert_eq!(keyboard.event(Key::F, true), Some(Action::Frame));
-        keyboard.event(Key::RightShift, false);
-        assert_eq!(keyboard.event(Key::W, true), Some(Action::Next));
-    }
-
-    #[test]
-    fn a_key_let_go_elsewhere_works_again_afterwards() {
-        let mut keyboard = Keyboard::default();
-        keyboard.event(Key::H, true);
-        keyboard.forget();
-        assert_eq!(keyboard.event(Key::H, true), Some(Action::Help));
+    fn every_character_leads_to_a_key_that_does_something() {
+        let characters = ('\0'..'\u{2000}').filter_map(of_character);
+        assert_eq!(characters.inspect(|key| assert!(of_key(*key, false).is_some(), "{key:?}")).count(), 7);
     }
 }

@@ -2,16 +2,15 @@
 
 use std::sync::Arc;
 
-use exam::fk::PosedFrame;
 use glam::{Quat, Vec3};
-use skeleton::{FkFunctions, JointId, Motion, Pose, PositionChannels, Transform, pose_frame};
+use skeleton::{FkFunctions, JointId, Motion, Pose, PositionChannels, Transform};
 
+use crate::answers::Recorded;
 use crate::app::{App, Shown};
 use crate::canvas::{Canvas, Color, Weight};
 use crate::draw::Painter;
 use crate::scene::{Axes, Dot, Figure, Look, Mark, Scene, Side, Style, Tint};
 use crate::stage::Stage;
-use crate::student::Status;
 
 /// One picture: the name of its file, and how it is made.
 pub struct Picture {
@@ -71,11 +70,8 @@ impl Studio {
     fn window(&mut self, functions: FkFunctions, frame: usize) -> Canvas {
         let mut app = App::new(self.stage.clone(), "running.bvh".into(), Vec::new(), SIZE);
         app.go_to(frame);
-        let mut pose = Pose::default();
-        let skeleton = self.stage.motion().skeleton();
-        let leftover = pose_frame(skeleton, &self.stage.frame(frame), &functions, &mut pose);
-        let posed = PosedFrame { pose, taken: leftover.taken, available: leftover.available };
-        let shown = Shown::Student { posed: Some(&posed), status: &Status::Answered };
+        let recorded = Recorded::of(&functions, &self.stage, 0..=frame);
+        let shown = Shown::Student(&recorded);
         self.draw(&app.scene(shown, SIZE), SIZE)
     }
 

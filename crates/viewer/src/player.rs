@@ -1,6 +1,12 @@
-//! Which frame is shown: one step at a time, or played at the motion's own speed.
+//! Which frame is shown: stepped through, or played at the motion's own speed, forwards or backwards, within a range.
 
-/// Goes through the frames of a motion, again and again.
+/// The speeds that can be chosen, as multiples of the motion's own.
+pub const SPEEDS: [f64; 9] = [0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0];
+
+/// Where the motion's own speed stands among them.
+const OWN_SPEED: usize = 4;
+
+/// Goes through the frames of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Player {
     frame: usize,
@@ -8,14 +14,45 @@ pub struct Player {
     /// Seconds from one frame to the next.
     frame_time: f64,
     playing: bool,
-    /// Seconds for which the frame has been shown already.
+    backwards: bool,
+    looping: bool,
+    /// An index of [`SPEEDS`].
+    speed: usize,
+    /// The first and the last frame that are played.
+    range: (usize, usize),
+    /// Seconds for which the frame has been shown already, at the motion's own speed.
     shown_for: f64,
+    /// The frame at which traces begin: the last wrap or reversal, or else as early as can be.
+    traced_from: usize,
 }
 
 impl Player {
     /// Stands at frame 0 of `count` (at least 1), which follow each other after `frame_time` seconds (positive).
     pub fn new(count: usize, frame_time: f64) -> Player {
-        Player { frame: 0, count: count.max(1), frame_time, playing: false, shown_for: 0.0 }
+        let count = count.max(1);
+        Player {
+            frame: 0,
+            count,
+            frame_time,
+            playing: false,
+            backwards: false,
+            looping: true,
+            speed: OWN_SPEED,
+            range: (0, count - 1),
+            shown_for: 0.0,
+            traced_from: 0,
+        }
+    }
+
+    /// The same settings for a motion that has changed: as near to the same frame as there is one.
+    pub fn for_motion(&self, count: usize, frame_time: f64) -> Player {
+        let count = count.max(1);
+        let last = count - 1;
+        let whole = self.range == (0, self.count - 1);
+        let range = if whole { (0, last) } else { (self.range.0.min(last), self.range.1.min(last)) };
+        let (frame, traced_from) = (self.frame.min(last), self.traced_from.min(last));
+        let playing = self.playing && count > 1;
+        Player { count, frame_time, frame, range, traced_from, playing, ..self.clone() }
     }
 
     /// The frame to show, from 0.
@@ -23,30 +60,107 @@ impl Player {
         self.frame
     }
 
+    /// How many frames there are, at least 1.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
     /// Whether it is playing.
     pub fn is_playing(&self) -> bool {
         self.playing
+    }
+
+    /// Whether it plays from the end to the beginning.
+    pub fn is_backwards(&self) -> bool {
+        self.backwards
+    }
+
+    /// Whether it begins again at the end.
+    pub fn is_looping(&self) -> bool {
+        self.looping
+    }
+
+    /// How fast it plays, as a multiple of the motion's own speed.
+    pub fn speed(&self) -> f64 {
+        SPEEDS[self.speed]
+    }
+
+    /// The first and the last frame that are played.
+    pub fn range(&self) -> (usize, usize) {
+        self.range
+    }
+
+    /// Whether only a part of the motion is played.
+    pub fn has_range(&self) -> bool {
+        self.range != (0, self.count - 1)
+    }
+
+    /// The frames whose traces are shown, at most `most` of them and the oldest first: from the last wrap or reversal,
+    /// or from before the present frame when somebody has gone to it, up to the present one.
+    pub fn traced(&self, most: usize) -> impl Iterator<Item = usize> + use<> {
+        let (from, to) = (self.traced_from, self.frame);
+        let length = from.abs_diff(to).min(most.saturating_sub(1));
+        let forwards = from <= to;
+        (0..=length).rev().map(move |back| if forwards { to - back } else { to + back })
     }
 
     /// Plays, or pauses. A single frame cannot be played.
     pub fn toggle(&mut self) {
         self.playing = !self.playing && self.count > 1;
         self.shown_for = 0.0;
+        let (first, last) = self.range;
+        // Who is at the end, or outside of what is to be played, wants to see it from its beginning.
+        let at_end = !self.looping && self.frame == if self.backwards { first } else { last };
+        if self.playing && (at_end || !(first..=last).contains(&self.frame)) {
+            self.frame = if self.backwards { last } else { first };
+            self.traced_from = self.frame;
+        }
+    }
+
+    /// Plays in the other direction from now on.
+    pub fn reverse(&mut self) {
+        self.backwards = !self.backwards;
+        self.traced_from = self.frame;
+        self.shown_for = 0.0;
+    }
+
+    /// Begins again at the end, or stops there.
+    pub fn toggle_loop(&mut self) {
+        self.looping = !self.looping;
+    }
+
+    /// The next higher speed, or the next lower one.
+    pub fn change_speed(&mut self, faster: bool) {
+        self.speed =
+            if faster { (self.speed + 1).min(SPEEDS.len() - 1) } else { self.speed.saturating_sub(1) };
+    }
+
+    /// Plays from this frame on; from the motion's beginning if that was so already.
+    pub fn begin_range(&mut self) {
+        let first = if self.range.0 == self.frame { 0 } else { self.frame };
+        let last = if self.range.1 < first { self.count - 1 } else { self.range.1 };
+        self.range = (first, last);
+    }
+
+    /// Plays up to this frame; to the motion's end if that was so already.
+    pub fn end_range(&mut self) {
+        let last = if self.range.1 == self.frame { self.count - 1 } else { self.frame };
+        let first = if self.range.0 > last { 0 } else { self.range.0 };
+        self.range = (first, last);
     }
 
     /// Pauses and goes to `frame`, or to the last one.
     pub fn go_to(&mut self, frame: usize) {
-        *self = Player { frame: frame.min(self.count - 1), ..Player::new(self.count, self.frame_time) };
+        self.frame = frame.min(self.count - 1);
+        self.playing = false;
+        self.shown_for = 0.0;
+        self.traced_from = 0;
     }
 
-    /// Pauses and goes to the next frame; the first one follows the last.
-    pub fn next(&mut self) {
-        self.go_to((self.frame + 1) % self.count);
-    }
-
-    /// Pauses and goes to the frame before; the last one is before the first.
-    pub fn previous(&mut self) {
-        self.go_to((self.frame + self.count - 1) % self.count);
+    /// Pauses and goes `frames` further, or back when it is negative. The first frame follows the last.
+    pub fn step(&mut self, frames: isize) {
+        let count = self.count as i128;
+        self.go_to((self.frame as i128 + frames as i128).rem_euclid(count) as usize);
     }
 
     /// Lets `seconds` pass. Frames that do not fit between two pictures are left out, so that the motion keeps its
@@ -55,10 +169,28 @@ impl Player {
         if !self.playing {
             return;
         }
-        self.shown_for += seconds.max(0.0);
+        // No clock lets a year pass between two pictures; beyond that there would be no fractions left.
+        self.shown_for += seconds.clamp(0.0, 3e7) * self.speed();
         let steps = (self.shown_for / self.frame_time).floor();
         self.shown_for -= steps * self.frame_time;
-        self.frame = (self.frame + (steps % self.count as f64) as usize) % self.count;
+
+        let (first, last) = self.range;
+        let length = last - first + 1;
+        let left =
+            if self.backwards { self.frame.saturating_sub(first) } else { last.saturating_sub(self.frame) };
+        if steps <= left as f64 {
+            let steps = steps as usize;
+            self.frame = if self.backwards { self.frame - steps } else { self.frame + steps };
+        } else if self.looping {
+            let over = ((steps - left as f64 - 1.0).max(0.0) % length as f64) as usize;
+            (self.traced_from, self.frame) = match self.backwards {
+                true => (last, last - over.min(length - 1)),
+                false => (first, first + over.min(length - 1)),
+            };
+        } else {
+            self.frame = if self.backwards { first } else { last };
+            self.playing = false;
+        }
     }
 }
 
@@ -73,14 +205,16 @@ mod tests {
     fn steps_go_around_and_pause() {
         let mut player = Player::new(3, 0.1);
         player.toggle();
-        player.next();
+        player.step(1);
         assert!(!player.is_playing());
-        player.next();
+        player.step(1);
         assert_eq!(player.frame(), 2);
-        player.next();
+        player.step(1);
         assert_eq!(player.frame(), 0);
-        player.previous();
+        player.step(-1);
         assert_eq!(player.frame(), 2);
+        player.step(isize::MIN);
+        player.step(isize::MAX);
         player.go_to(99);
         assert_eq!(player.frame(), 2);
     }
@@ -91,6 +225,78 @@ mod tests {
         player.toggle();
         player.advance(1.0);
         assert_eq!((player.frame(), player.is_playing()), (0, false));
+        player.step(1);
+        player.begin_range();
+        player.end_range();
+        assert_eq!((player.frame(), player.range()), (0, (0, 0)));
+    }
+
+    #[test]
+    fn a_range_is_played_and_goes_away_by_the_key_that_made_it() {
+        let mut player = Player::new(10, 1.0);
+        player.go_to(3);
+        player.begin_range();
+        player.go_to(6);
+        player.end_range();
+        assert_eq!((player.range(), player.has_range()), ((3, 6), true));
+        player.toggle();
+        player.advance(1.0);
+        assert_eq!(player.frame(), 3, "the first one follows the last");
+        player.go_to(0);
+        player.toggle();
+        assert_eq!(player.frame(), 3, "from outside of the range to its beginning");
+        player.begin_range();
+        player.go_to(6);
+        player.end_range();
+        assert!(!player.has_range());
+        player.go_to(8);
+        player.begin_range();
+        player.go_to(2);
+        player.end_range();
+        assert_eq!(player.range(), (0, 2), "an end before the beginning begins anew");
+    }
+
+    #[test]
+    fn without_a_loop_it_stops_at_the_end_and_begins_anew() {
+        let mut player = Player::new(5, 1.0);
+        player.toggle_loop();
+        player.toggle();
+        player.advance(100.0);
+        assert_eq!((player.frame(), player.is_playing()), (4, false));
+        player.toggle();
+        assert_eq!((player.frame(), player.is_playing()), (0, true));
+        player.reverse();
+        player.advance(1.0);
+        assert_eq!((player.frame(), player.is_playing()), (0, false));
+    }
+
+    #[test]
+    fn traces_begin_at_a_wrap_and_at_a_reversal() {
+        let traced = |player: &Player| player.traced(4).collect::<Vec<_>>();
+        let mut player = Player::new(10, 1.0);
+        player.go_to(7);
+        assert_eq!(traced(&player), [4, 5, 6, 7]);
+        player.toggle();
+        player.advance(4.0);
+        assert_eq!(traced(&player), [0, 1]);
+        player.reverse();
+        assert_eq!(traced(&player), [1]);
+        player.advance(1.0);
+        assert_eq!(traced(&player), [1, 0]);
+        player.advance(2.0);
+        assert_eq!(traced(&player), [9, 8]);
+    }
+
+    #[test]
+    fn a_motion_that_got_shorter_keeps_what_can_be_kept() {
+        let mut player = Player::new(10, 1.0);
+        player.go_to(8);
+        player.change_speed(true);
+        let shorter = player.for_motion(4, 0.5);
+        assert_eq!((shorter.frame(), shorter.range(), shorter.speed()), (3, (0, 3), 1.5));
+        player.begin_range();
+        assert_eq!(player.for_motion(0, 0.5).range(), (0, 0));
+        assert_eq!(player.for_motion(20, 0.5).range(), (8, 9));
     }
 
     proptest! {
@@ -99,30 +305,52 @@ mod tests {
             frame_time in 0.001f64..0.2,
             display in 0.001f64..0.2,
             pictures in 1usize..500,
+            changes in 0usize..6,
+            slower in any::<bool>(),
         ) {
             let mut player = Player::new(1_000_000, frame_time);
+            (0..changes).for_each(|_| player.change_speed(!slower));
             player.toggle();
             for _ in 0..pictures {
                 player.advance(display);
             }
-            let expected = display * pictures as f64 / frame_time;
+            prop_assert!((0.1..=4.0).contains(&player.speed()));
+            let expected = display * pictures as f64 / frame_time * player.speed();
             prop_assert!((player.frame() as f64 - expected).abs() <= 1.01, "{} and {expected}", player.frame());
+        }
+
+        #[test]
+        fn backwards_is_the_mirror_of_forwards(steps in prop::collection::vec(0.0f64..9.0, 1..30)) {
+            let (mut there, mut back) = (Player::new(7, 1.0), Player::new(7, 1.0));
+            back.go_to(6);
+            back.reverse();
+            [&mut there, &mut back].into_iter().for_each(Player::toggle);
+            for seconds in steps {
+                there.advance(seconds);
+                back.advance(seconds);
+                prop_assert_eq!(there.frame(), 6 - back.frame());
+            }
         }
 
         #[test]
         fn whatever_the_file_says_it_plays_and_stays_within_the_motion(
             frame_time in prop_oneof![any::<f64>(), (0u64..1 << 52).prop_map(f64::from_bits), Just(1e-6), Just(1e6)],
             seconds in prop::collection::vec(prop_oneof![any::<f64>(), 0.0..0.1], 1..20),
+            backwards in any::<bool>(),
         ) {
             let motion = Motion::new(Skeleton::new(), 7, frame_time, Vec::new()).unwrap();
             let playable = motion.playable_frame_time();
             let mut player = Player::new(7, playable);
             player.toggle();
+            if backwards {
+                player.reverse();
+            }
             for seconds in seconds {
                 player.advance(seconds);
                 prop_assert!(player.frame() < 7);
+                prop_assert!(player.traced(5).all(|frame| frame < 7));
             }
-            player.go_to(0);
+            let mut player = Player::new(7, playable);
             player.toggle();
             player.advance(2.5 * playable);
             prop_assert_eq!(player.frame(), 2);

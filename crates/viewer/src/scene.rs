@@ -217,6 +217,25 @@ pub struct Timeline {
     pub playing: bool,
 }
 
+impl Off {
+    /// The share of the size that counts as right: the tolerance of the checks.
+    pub const RIGHT: f32 = grading::fk::POSITION_TOLERANCE;
+    /// Up to this share it is little.
+    pub const LITTLE: f32 = 0.02;
+    /// Up to this share it is some.
+    pub const SOME: f32 = 0.1;
+
+    /// For a joint that is off by this share of the figure's size.
+    pub fn by(share: f32) -> Off {
+        match share {
+            share if share <= Off::RIGHT => Off::Right,
+            share if share <= Off::LITTLE => Off::Little,
+            share if share <= Off::SOME => Off::Some,
+            _ => Off::Much,
+        }
+    }
+}
+
 /// A side of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {

@@ -37,6 +37,16 @@ pub enum Status {
     Failed(Trouble),
 }
 
+/// T
+#[allow(missing_docs)]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Standing {
+    pub status: Status,
+    pub current: bool,
+    pub board: Option<Arc<crate::board::Board>>,
+    pub grading: bool,
+}
+
 /// The student's functions at work on one motion. Nothing here ever waits for them. A worker that is still busy when the
 /// viewer ends notices that, and ends too.
 pub struct Student {
@@ -130,6 +140,10 @@ impl Student {
         self.batches.get(&(frame / self.batch_size))?.get(frame % self.batch_size)
     }
 
+    /// T
+    pub fn standing(&self, _m: usize, frame: usize) -> Standing {
+        Standing { status: self.status(frame), current: true, board: None, grading: false }
+    }
     fn status(&self, frame: usize) -> Status {
         match &self.trouble {
             _ if self.pose(frame).is_some() => Status::Answered,

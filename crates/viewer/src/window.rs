@@ -1,162 +1,122 @@
-//! The window: hands keys and mouse to the app, and its pictures to the display.
+//! The window: hands keys and mouse to the gallery, and its picture to the display.
 
-use std::fmt;
+mod no_window;
+
 use std::sync::mpsc::{self, Receiver, Sender};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use minifb::{InputCallback, Key, MouseButton, MouseMode, Window, WindowOptions};
 
-use crate::app::{App, Shown};
 use crate::canvas::Canvas;
-use crate::draw::Painter;
-use crate::keys::{Action, Keyboard};
-use crate::student::{Status, Student};
+use crate::input::{Mouse, State, notches};
+use crate::keyboard::{Event, Keyboard};
+use crate::keys::Action;
+use crate::screen::Screen;
+use crate::session::Session;
+
+pub use no_window::NoWindow;
 
 /// Pictures per second. The motion's own speed does not depend on it.
 const PICTURES_PER_SECOND: usize = 60;
 
-/// Shows `app` in a window of `size` pixels until it is closed. With `student`, the student's functions move the
-/// figure; without, the reference's do.
+/// Shows `session` in a window of `size` pixels until it is closed.
 ///
 /// # Errors
 ///
 /// When no window can be opened.
-pub fn open(
-    mut app: App,
-    size: (usize, usize),
-    student: Option<impl FnOnce() -> Student>,
-) -> Result<(), NoWindow> {
+pub fn open(mut session: Session, size: (usize, usize)) -> Result<(), NoWindow> {
+    let no_window = |error: minifb::Error| NoWindow { why: error.to_string() };
     let options = WindowOptions { resize: true, ..WindowOptions::default() };
-    let mut window = Window::new(&app.window_title(), size.0, size.1, options)
-        .map_err(|error| NoWindow { why: error.to_string() })?;
+    let mut title = session.gallery.window_title();
+    let mut window = Window::new(&title, size.0, size.1, options).map_err(no_window)?;
     window.set_target_fps(PICTURES_PER_SECOND);
-    let (sender, keys) = mpsc::channel();
+    let (sender, events) = mpsc::channel();
     window.set_input_callback(Box::new(KeyEvents(sender)));
 
-    let mut student = student.map(|start| start());
-    let mut input = Input { keys, keyboard: Keyboard::default(), grabbed: None };
-    let mut painter = Painter::new();
-    let mut canvas = Canvas::new(size.0, size.1);
-    let mut drawn = None;
-    let mut told = false;
-    let mut title = String::new();
+    let mut input = Input { events, keyboard: Keyboard::default(), mouse: Mouse::default() };
+    let mut screen = Screen::new(size);
     let mut last = Instant::now();
     while window.is_open() {
-        if input.apply(&mut window, &mut app) {
+        let passed = last.elapsed();
+        last = Instant::now();
+        if input.apply(&mut window, &mut session, passed) {
             break;
         }
-        app.advance(last.elapsed().as_secs_f64());
-        last = Instant::now();
-
-        let frame = app.frame();
-        let status = student.as_mut().map(|student| student.update(frame));
-        let shown = match (&student, &status) {
-            (Some(student), Some(status)) => Shown::Student { posed: student.pose(frame), status },
-            _ => Shown::Reference,
-        };
-        if let Some(Status::Failed(trouble)) = &status
-            && !std::mem::replace(&mut told, true)
-        {
-            eprintln!("{}", trouble.headline);
-        }
+        session.gallery.advance(passed.as_secs_f64());
+        session.update();
 
         let size = Canvas::clamped(window.get_size());
-        let scene = app.scene(shown, size);
-        if canvas.size() != size || drawn.as_ref() != Some(&scene) {
-            if canvas.size() != size {
-                canvas = Canvas::new(size.0, size.1);
-            }
-            painter.draw(&scene, &mut canvas);
-            drawn = Some(scene);
-        }
-        if title != app.window_title() {
-            title = app.window_title();
+        session.draw(&mut screen, size);
+        if title != session.gallery.window_title() {
+            title = session.gallery.window_title();
             window.set_title(&title);
         }
-        let presented = window.update_with_buffer(canvas.pixels(), size.0, size.1);
-        presented.map_err(|error| NoWindow { why: error.to_string() })?;
+        // Always with the picture, changed or not: some systems paint from it while they look for events.
+        let presented = window.update_with_buffer(screen.canvas().pixels(), size.0, size.1);
+        presented.map_err(no_window)?;
     }
     // The window goes first: the student's functions may need a moment to be stopped.
     drop(window);
-    drop(student);
+    drop(session);
     Ok(())
 }
 
 /// Key events as they happen: asking for the state of the keys once per picture would miss short taps.
-struct KeyEvents(Sender<(Key, bool)>);
+struct KeyEvents(Sender<Event>);
 
 impl InputCallback for KeyEvents {
-    fn add_char(&mut self, _: u32) {}
+    fn add_char(&mut self, character: u32) {
+        if let Some(character) = char::from_u32(character) {
+            // Nobody listens any more only when the window is about to go.
+            let _ = self.0.send(Event::Typed(character));
+        }
+    }
 
     fn set_key_state(&mut self, key: Key, down: bool) {
-        // Nobody listens any more only when the window is about to go.
-        let _ = self.0.send((key, down));
+        let _ = self.0.send(if down { Event::Down(key) } else { Event::Up(key) });
     }
 }
 
 struct Input {
-    keys: Receiver<(Key, bool)>,
+    events: Receiver<Event>,
     keyboard: Keyboard,
-    /// Where the mouse was when it was last seen with its button down.
-    grabbed: Option<(f32, f32)>,
+    mouse: Mouse,
 }
 
 impl Input {
-    /// Hands on what has happened since the last picture. Gives whether the window is to be closed.
-    fn apply(&mut self, window: &mut Window, app: &mut App) -> bool {
-        for (key, down) in self.keys.try_iter() {
-            match self.keyboard.event(key, down) {
+    /// Hands on what has happened since the last time, `passed` ago. Gives whether the window is to be closed.
+    fn apply(&mut self, window: &mut Window, session: &mut Session, passed: Duration) -> bool {
+        if !window.is_active() {
+            self.keyboard.forget();
+            self.mouse.forget();
+        }
+        if let Some((action, times)) = self.keyboard.pass(passed) {
+            (0..times).for_each(|_| session.gallery.act(action));
+        }
+        for event in self.events.try_iter() {
+            match self.keyboard.event(event) {
                 Some(Action::Quit) => return true,
-                Some(action) => app.act(action),
+                Some(action) => session.gallery.act(action),
                 None => {}
             }
         }
-        if !window.is_active() {
-            self.keyboard.forget();
+        if let Some((_, turn)) = window.get_scroll_wheel() {
+            session.gallery.apps_mut().iter_mut().for_each(|app| app.wheel(notches(turn)));
         }
-        if let Some((_, notches)) = window.get_scroll_wheel() {
-            app.wheel(notches);
+        if let Some(place) = window.get_mouse_pos(MouseMode::Pass) {
+            let down = |button| window.get_mouse_down(button);
+            let state = State {
+                place,
+                left: down(MouseButton::Left),
+                right: down(MouseButton::Right) || down(MouseButton::Middle),
+                shift: self.keyboard.shift(),
+            };
+            let size = Canvas::clamped(window.get_size());
+            let gesture = self.mouse.look(state, |place| session.gallery.on_bar(place, size));
+            if let Some(gesture) = gesture {
+                session.gesture(gesture, size);
+            }
         }
-        let mouse =
-            window.get_mouse_pos(MouseMode::Pass).filter(|_| window.get_mouse_down(MouseButton::Left));
-        if let (Some(before), Some(now)) = (self.grabbed, mouse)
-            && before != now
-        {
-            app.drag(now.0 - before.0, now.1 - before.1);
-        }
-        self.grabbed = mouse;
         false
     }
-}
-
-/// No window can be opened here. `Display` says what to do instead.
-#[derive(Debug)]
-pub struct NoWindow {
-    why: String,
-}
-
-impl fmt::Display for NoWindow {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "No window can be opened here: {}.", self.why)?;
-        writeln!(f, "A picture works without one: add --png picture.png --frame 0 to the command.")?;
-        write!(f, "{}", advice())
-    }
-}
-
-impl std::error::Error for NoWindow {}
-
-fn advice() -> String {
-    if !cfg!(all(unix, not(target_os = "macos"))) {
-        return "For a window, run this in a session with a desktop, not in a remote shell or a service."
-            .into();
-    }
-    let display = match std::env::var_os("DISPLAY") {
-        None => "- DISPLAY is not set. In a desktop's own terminal it is; over ssh, use ssh -X.\n".to_owned(),
-        Some(display) => format!("- DISPLAY is {}: is an X server running there?\n", display.display()),
-    };
-    format!(
-        "For a window:\n{display}\
-         - In a Wayland session, XWayland must be installed (package xwayland).\n\
-         - The libraries libX11 and libXcursor are needed (packages libx11-6 and libxcursor1, or libX11 and libXcursor)."
-    )
 }

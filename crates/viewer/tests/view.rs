@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 use std::sync::Arc;
 
 use skeleton::PositionChannels;
+use viewer::answers::Recorded;
 use viewer::app::{App, Shown};
 use viewer::camera::Spot;
 use viewer::draw::color_of;
@@ -146,8 +147,8 @@ mod png_file {
         assert!(!stderr(&output).contains("only the goal"), "{}", stderr(&output));
         let mut app = App::new(stage, "running.bvh".into(), Vec::new(), SIZE);
         app.go_to(FRAME);
-        let shown = Shown::Student { posed: Some(posed), status: &Status::Answered };
-        let view = app.scene(shown, SIZE).camera.view(SIZE);
+        let recorded = Recorded { poses: [(FRAME, posed.clone())].into(), ..Recorded::new(Status::Answered) };
+        let view = app.scene(Shown::Student(&recorded), SIZE).camera.view(SIZE);
         let spots = posed.pose.transforms().iter().filter_map(|joint| view.project(joint.position));
         let inside = spots
             .filter(|spot| (0.0..SIZE.0 as f32).contains(&spot.x) && (0.0..SIZE.1 as f32).contains(&spot.y));
@@ -179,7 +180,8 @@ mod png_file {
         for mode in [&["--png", path.to_str().unwrap()][..], &[]] {
             let output = view(&[&["--solution", "--frame", "1377"], mode].concat());
             assert_eq!(output.status.code(), Some(1));
-            let expected = "running.bvh has no frame 1377: its frames are counted from 0 to 1376\n";
+            let expected =
+                "running.bvh: there is no frame 1377: the motion's frames are counted from 0 to 1376\n";
             assert_eq!(stderr(&output), expected);
         }
         assert!(!path.exists());
@@ -277,8 +279,8 @@ mod errors {
     fn help_names_every_key() {
         let output = view(&["--help"]);
         assert!(output.status.success());
-        for binding in viewer::keys::BINDINGS {
-            assert!(stdout(&output).contains(binding.help));
+        for (_, help) in viewer::keys::help() {
+            assert!(stdout(&output).contains(help));
         }
     }
 }

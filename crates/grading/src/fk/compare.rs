@@ -8,13 +8,13 @@ use skeleton::RotationOrder;
 use crate::{Case, Difference};
 
 /// Two rotations are the same when the angle between them is at most this, in degrees.
-pub(super) const ROTATION_TOLERANCE: f64 = 0.01;
+pub const ROTATION_TOLERANCE: f64 = 0.01;
 
 /// A quaternion is a rotation when its length differs from 1 by at most this.
 const LENGTH_TOLERANCE: f32 = 1e-3;
 
 /// Two positions are the same when their distance is at most this, times the size of the skeleton.
-pub(super) const POSITION_TOLERANCE: f32 = 1e-4;
+pub const POSITION_TOLERANCE: f32 = 1e-4;
 
 /// Of part 1's answers, the rotations.
 pub(super) fn rotation_of_joint(_: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
@@ -97,7 +97,7 @@ pub(super) fn between_rotations(expected: Quat, got: Quat) -> Option<Difference>
 
 /// The angle of the rotation from `a` to `b`, in degrees, from 0 to 180. By the arc tangent in double precision: the
 /// arc cosine of a dot product cannot tell small angles from zero.
-pub(super) fn angle_between(a: Quat, b: Quat) -> f64 {
+pub fn angle_between(a: Quat, b: Quat) -> f64 {
     let [ax, ay, az, aw] = a.to_array().map(f64::from);
     let [bx, by, bz, bw] = b.to_array().map(f64::from);
     let w = aw * bw + ax * bx + ay * by + az * bz;

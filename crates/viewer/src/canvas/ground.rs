@@ -39,10 +39,6 @@ impl Canvas {
                 row.fill(HORIZON.mix(ZENITH, 1.6 * sight.y.abs()).0);
                 continue;
             }
-            let haze = 1.0 - (-(depth / reach).powi(2)).exp();
-            let plane = PLANE.mix(HORIZON, haze);
-            let (line, strong_line) = (LINE.mix(HORIZON, haze), STRONG_LINE.mix(HORIZON, haze));
-
             // Along the row, and from this row to the next, the point on the ground moves by these steps.
             let along = view.right * (depth / view.focal);
             let across = (view.up - sight * (view.up.y / sight.y)) * (depth / view.focal);
@@ -51,13 +47,63 @@ impl Canvas {
                 GridLines::new(view.eye.x, depth * start.x, along.x, across.x, ground.cell),
                 GridLines::new(view.eye.z, depth * start.z, along.z, across.z, ground.cell),
             ];
-            for (x, pixel) in (0i32..).zip(row) {
-                let [(weak_x, strong_x), (weak_z, strong_z)] =
-                    [lines[0].coverage(x as f32), lines[1].coverage(x as f32)];
-                let color = plane.mix(line, weak_x.max(weak_z)).mix(strong_line, strong_x.max(strong_z));
-                *pixel = color.0;
+            let colors = RowColors::new(haze(depth, reach));
+            let is_even =
+                |shade: fn(&GridLines) -> LineShade| lines.iter().all(|lines| shade(lines).is_even());
+            match (is_even(|lines| lines.weak), is_even(|lines| lines.strong)) {
+                (true, true) => row.fill(colors.at(lines[0].weak.low, lines[0].strong.low)),
+                (true, false) => fill_row::<false>(row, lines, &colors),
+                _ => fill_row::<true>(row, lines, &colors),
             }
         }
+    }
+}
+
+/// How much of the ground has faded at a depth: 0 to 1.
+pub(crate) fn haze(depth: f32, reach: f32) -> f32 {
+    1.0 - (-(depth / reach).powi(2)).exp()
+}
+
+/// Shades one row of the ground. Without `WEAK`, the weak lines are no longer told apart. This is done for most pixels
+/// of every picture: no branch and no call is in the loop, so that the compiler does many pixels at once.
+fn fill_row<const WEAK: bool>(row: &mut [u32], [x_lines, z_lines]: [GridLines; 2], colors: &RowColors) {
+    let even = larger(x_lines.weak.low, z_lines.weak.low);
+    for (x, pixel) in (0i32..).zip(row) {
+        let x = x as f32;
+        let at_x = x_lines.start + x_lines.step * x;
+        let at_z = z_lines.start + z_lines.step * x;
+        let weak = if WEAK { larger(x_lines.weak.at(at_x), z_lines.weak.at(at_z)) } else { even };
+        let strong =
+            larger(x_lines.strong.at(at_x * (1.0 / STRONG)), z_lines.strong.at(at_z * (1.0 / STRONG)));
+        *pixel = colors.at(weak, strong);
+    }
+}
+
+/// The colours of a row, each as red, green and blue from 0 to 255.
+struct RowColors {
+    plane: [f32; 3],
+    /// What lines add to the plane.
+    weak: [f32; 3],
+    strong: [f32; 3],
+}
+
+impl RowColors {
+    fn new(haze: f32) -> RowColors {
+        let [plane, line, strong] =
+            [PLANE, LINE, STRONG_LINE].map(|color| color.mix(HORIZON, haze).channels().map(f32::from));
+        let over_plane = |color: [f32; 3]| [0, 1, 2].map(|channel| color[channel] - plane[channel]);
+        RowColors { plane, weak: over_plane(line), strong: over_plane(strong) }
+    }
+
+    /// The colour of a pixel that is covered by weak and strong lines to these shares. Strong ones lie on top.
+    fn at(&self, weak: f32, strong: f32) -> u32 {
+        let weak = weak * (1.0 - strong);
+        let shade = |channel: usize| {
+            let value = self.plane[channel] + self.weak[channel] * weak + self.strong[channel] * strong;
+            // Beside 2²³ a float's last eight bits are its whole number; shifting drops those before them.
+            (value + 8_388_608.0).to_bits()
+        };
+        (shade(0) << 16) | (shade(1) << 8) | (shade(2) & 0xFF)
     }
 }
 
@@ -83,23 +129,15 @@ impl GridLines {
             strong: LineShade::new(footprint / STRONG, STRONG_LINE_WIDTH / STRONG),
         }
     }
-
-    /// The share of pixel `x` that weak and strong lines cover, 0 to 1 each.
-    fn coverage(&self, x: f32) -> (f32, f32) {
-        let at = self.start + self.step * x;
-        (self.weak.at(at), self.strong.at(at * (1.0 / STRONG)))
-    }
 }
 
-/// How much of a pixel is covered by lines at all whole numbers. What is the same along a row is calculated once:
-/// this is done for every pixel of the ground.
+/// How much of a pixel is covered by lines at all whole numbers. What is the same along a row is calculated once.
 #[derive(Clone, Copy)]
 struct LineShade {
     per_length: f32,
     middle: f32,
-    most: f32,
-    sharp: f32,
-    blurred: f32,
+    low: f32,
+    high: f32,
 }
 
 impl LineShade {
@@ -108,20 +146,30 @@ impl LineShade {
         let footprint = footprint.max(1e-4);
         // Where a pixel covers a whole cell, lines can no longer be told apart: only their average shade is left.
         let blur = (2.0 * footprint - 0.6).clamp(0.0, 1.0);
+        let (sharp, low) = (1.0 - blur, blur * width);
         LineShade {
-            per_length: 1.0 / footprint,
-            middle: 0.5 * (width + footprint) / footprint,
-            most: (width / footprint).min(1.0),
-            sharp: 1.0 - blur,
-            blurred: blur * width,
+            per_length: sharp / footprint,
+            middle: sharp * 0.5 * (width + footprint) / footprint + low,
+            low,
+            high: sharp * (width / footprint).min(1.0) + low,
         }
     }
 
-    fn at(&self, at: f32) -> f32 {
-        let away = (at - nearest_whole(at)).abs();
-        let one_line = (self.middle - away * self.per_length).max(0.0).min(self.most);
-        one_line * self.sharp + self.blurred
+    /// Whether all pixels are covered alike.
+    fn is_even(self) -> bool {
+        self.low == self.high
     }
+
+    fn at(self, at: f32) -> f32 {
+        let away = (at - nearest_whole(at)).abs();
+        let covered = larger(self.middle - away * self.per_length, self.low);
+        if covered < self.high { covered } else { self.high }
+    }
+}
+
+/// The larger of two numbers. Unlike `f32::max` it is one instruction, because it does not care for NaN.
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
 }
 
 /// The nearest whole number, for numbers below four million: beside 1.5 · 2²³ a float has no room for fractions.

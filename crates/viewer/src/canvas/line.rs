@@ -17,8 +17,18 @@ pub struct Pen {
 }
 
 impl Canvas {
-    /// Draws the line from `from` to `to` where nothing nearer is in the way. Both may be anywhere.
+    /// Draws the line from `from` to `to`, with round ends, where nothing nearer is in the way. Both may be anywhere.
     pub fn line(&mut self, from: Spot, to: Spot, pen: Pen) {
+        self.stroke::<true>(from, to, pen);
+    }
+
+    /// The same with straight ends: each pixel belongs to at most one of two pieces that go on in a straight line, so
+    /// that a translucent line can be drawn in pieces.
+    pub fn piece(&mut self, from: Spot, to: Spot, pen: Pen) {
+        self.stroke::<false>(from, to, pen);
+    }
+
+    fn stroke<const ROUND: bool>(&mut self, from: Spot, to: Spot, pen: Pen) {
         let reach = 0.5 * pen.width.clamp(0.0, 1000.0) + 0.5;
         let Some((from, to)) = self.clip(from, to, reach) else { return };
         let (start, along) = (Vec2::new(from.x, from.y), Vec2::new(to.x - from.x, to.y - from.y));
@@ -37,9 +47,13 @@ impl Canvas {
             for x in covered(left.min(right) - reach, left.max(right) + reach, self.width) {
                 let to_pixel = Vec2::new(x as f32 + 0.5, centre_y) - start;
                 let share = match length_squared > 0.0 {
-                    true => (to_pixel.dot(along) / length_squared).clamp(0.0, 1.0),
+                    true => to_pixel.dot(along) / length_squared,
                     false => 0.0,
                 };
+                if !ROUND && !(0.0..1.0).contains(&share) {
+                    continue;
+                }
+                let share = share.clamp(0.0, 1.0);
                 let coverage = reach - to_pixel.distance(along * share);
                 if coverage > 0.0 {
                     let nearness = from.nearness + share * (to.nearness - from.nearness);

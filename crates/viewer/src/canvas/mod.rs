@@ -3,12 +3,14 @@
 //! A small software rasteriser. Lines and squares carry a depth and hide what lies behind them; their edges are
 //! anti-aliased by the share of each pixel that they cover. Text and panels lie on top of everything.
 
+mod disc;
 mod ground;
 mod line;
 mod square;
 mod text;
 
 pub use ground::Ground;
+pub(crate) use ground::haze;
 pub use line::Pen;
 pub use text::{Typeface, Weight};
 
@@ -112,6 +114,11 @@ impl Canvas {
             let from = &other.pixels[y * other.width..][..width];
             self.pixels[(top + y) * self.width + left..][..width].copy_from_slice(from);
         }
+    }
+
+    /// The pixels and, for each of them, the nearness of what was drawn there: 0 where there is only background.
+    pub(crate) fn layers(&mut self) -> (&mut [u32], &mut [f32]) {
+        (&mut self.pixels, &mut self.nearness)
     }
 
     /// Puts `color` on one pixel if nothing nearer is there. `coverage` is the share of the pixel, 0 to 1.

@@ -1,6 +1,7 @@
 //! Text on top of the picture.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use fontdue::{Font, FontSettings};
 
@@ -57,39 +58,48 @@ impl Typeface {
         }
     }
 
+    /// A typeface that writes nothing, for tests: reading the fonts takes longest.
+    #[cfg(test)]
+    pub(crate) fn without_letters() -> Typeface {
+        Typeface { regular: None, bold: None, letters: HashMap::new() }
+    }
+
     /// How long `text` is, in pixels, with letters of `size` pixels.
     pub fn width(&mut self, text: &str, size: u32, weight: Weight) -> f32 {
         text.chars().map(|char| self.letter(char, size, weight).advance).sum()
     }
 
-    /// Breaks `text` between words into lines of at most `width` pixels. A word that is longer is broken anywhere.
-    pub fn wrap(&mut self, text: &str, size: u32, weight: Weight, width: f32) -> Vec<String> {
-        let mut lines = Vec::new();
-        for paragraph in text.lines() {
-            let mut line = String::new();
-            for word in paragraph.split_inclusive(' ') {
-                let longer = format!("{line}{word}");
-                if line.is_empty() || self.width(longer.trim_end(), size, weight) <= width {
-                    line = longer;
-                } else {
-                    lines.push(std::mem::replace(&mut line, word.to_owned()));
+    /// Breaks `text` between words into lines of at most `width` pixels and adds where in `text` each of them is to
+    /// `lines`. A word that is longer is broken anywhere.
+    pub fn wrap(&mut self, text: &str, size: u32, weight: Weight, width: f32, lines: &mut Vec<Range<usize>>) {
+        let mut next = 0;
+        for paragraph in text.split_inclusive('\n') {
+            let (mut start, mut end, mut room) = (next, next, width);
+            next += paragraph.len();
+            for word in paragraph.trim_end_matches(['\n', '\r']).split_inclusive(' ') {
+                if end > start && self.width(word.trim_end(), size, weight) > room {
+                    lines.push(start..end);
+                    (start, room) = (end, width);
                 }
-                while let Some(rest) = self.cut(&mut line, size, weight, width) {
-                    lines.push(std::mem::replace(&mut line, rest));
+                end += word.len();
+                while let Some(length) = self.fitting(&text[start..end], size, weight, width) {
+                    lines.push(start..start + length);
+                    (start, room) = (start + length, width);
                 }
+                let last = if room == width { &text[start..end] } else { word };
+                room -= self.width(last, size, weight);
             }
-            lines.push(line);
+            lines.push(start..end);
         }
-        lines
     }
 
-    /// Cuts `line` to at most `width` pixels, but not to less than one letter, and gives the rest, if any.
-    fn cut(&mut self, line: &mut String, size: u32, weight: Weight, width: f32) -> Option<String> {
+    /// How much of `line`, in bytes, fits into `width` pixels: at least one letter. `None` when all of it fits.
+    fn fitting(&mut self, line: &str, size: u32, weight: Weight, width: f32) -> Option<usize> {
         let mut end = 0.0;
         for (at, char) in line.trim_end().char_indices() {
             end += self.letter(char, size, weight).advance;
             if end > width && at > 0 {
-                return Some(line.split_off(at));
+                return Some(at);
             }
         }
         None
@@ -201,13 +211,19 @@ mod tests {
     fn lines_break_between_words_and_long_words_break_anywhere() {
         let mut typeface = Typeface::new();
         let text = "one two three\nfour abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz";
-        let lines = typeface.wrap(text, 15, Weight::Regular, 100.0);
+        let mut wrap = |text: &'static str, width: f32| {
+            let mut lines = Vec::new();
+            typeface.wrap(text, 15, Weight::Regular, width, &mut lines);
+            lines.into_iter().map(|line| &text[line]).collect::<Vec<_>>()
+        };
+        let lines = wrap(text, 100.0);
+        assert_eq!(wrap("wide", 0.0), ["w", "i", "d", "e"]);
+        assert_eq!(wrap("", 15.0), Vec::<&str>::new());
+        assert_eq!(wrap("a\n\nb\r\n", 100.0), ["a", "", "b"]);
         assert_eq!(lines[..3], ["one two ", "three", "four "]);
         for line in &lines {
             assert!(typeface.width(line.trim_end(), 15, Weight::Regular) <= 100.0, "{line}");
         }
         assert_eq!(lines.concat().replace(' ', ""), text.replace([' ', '\n'], ""));
-        assert_eq!(typeface.wrap("wide", 15, Weight::Regular, 0.0), ["w", "i", "d", "e"]);
-        assert_eq!(typeface.wrap("", 15, Weight::Regular, 0.0), Vec::<String>::new());
     }
 }

@@ -1,18 +1,32 @@
 //! A motion set up for being looked at: how large its figure is, where its ground is, what to follow.
 
-use glam::Vec3;
-use skeleton::{Frame, Joint, Motion, Pose, PositionChannels, pose_frame};
+mod figure;
 
+use glam::{Quat, Vec3};
+use skeleton::{Frame, Motion, Pose, PositionChannels, pose_frame};
+
+use crate::body;
 use crate::camera::Camera;
 use crate::canvas::Ground;
-use crate::scene::{Axes, Bone, Figure, Look, Side};
+use crate::scene::Side;
+use crate::sides::sides;
+use crate::upright::{Standing, Up};
 
-/// A motion and what follows from it for the picture. Lengths are in the file's unit.
+pub use figure::Wanted;
+use figure::tips;
+
+/// A motion and what follows from it for the picture. Lengths are in the file's unit. Places in the picture are those of
+/// the file, turned so that Y points up.
 #[derive(Clone, Debug)]
 pub struct Stage {
     motion: Motion,
     positions: PositionChannels,
+    up: Up,
+    upright: Quat,
     sides: Vec<Side>,
+    end_sites: Vec<usize>,
+    /// How thick the bone to each joint is.
+    radii: Vec<f32>,
     size: f32,
     ground: Ground,
     /// Corners of the box in which the figure stays, relative to its anchor.
@@ -35,10 +49,21 @@ const LARGEST_COORDINATE: f32 = 1e6;
 const ELEVATION: f32 = 0.2;
 
 impl Stage {
-    /// Looks at the motion as the reference solution moves it. `positions` says what position channels do.
+    /// Looks at the motion as the reference solution moves it. `positions` says what position channels do. Which way is
+    /// up is told by the motion itself.
     pub fn new(motion: Motion, positions: PositionChannels) -> Stage {
+        Stage::with_up(motion, positions, None)
+    }
+
+    /// The same, with this axis pointing up. `None` finds it out.
+    pub fn with_up(motion: Motion, positions: PositionChannels, up: Option<Up>) -> Stage {
+        let joints = motion.skeleton().joints();
         let mut stage = Stage {
-            sides: sides(motion.skeleton().joints()),
+            up: Up::Y,
+            upright: Quat::IDENTITY,
+            sides: sides(joints),
+            end_sites: tips(joints),
+            radii: Vec::new(),
             motion,
             positions,
             size: 1.0,
@@ -48,16 +73,25 @@ impl Stage {
             azimuth: 0.6,
             too_coarse: false,
         };
+        stage.up = up.unwrap_or_else(|| stage.find_up());
+        stage.upright = stage.up.rotation();
         stage.measure();
+        stage.radii = body::radii(stage.motion.skeleton(), stage.size);
         stage
+    }
+
+    fn find_up(&self) -> Up {
+        let mut standing = Standing::new(self.motion.skeleton().joints());
+        self.sample(|_, pose| standing.look(pose));
+        standing.up()
     }
 
     fn measure(&mut self) {
         let (mut all, mut roots) = (Bounds::default(), Bounds::default());
         let (mut first_root, mut ways) = (None, Vec::new());
-        self.sample(|_, pose| {
-            pose.transforms().iter().for_each(|transform| all.add(transform.position));
-            let root = root(pose);
+        self.sample(|stage, pose| {
+            stage.places(pose).for_each(|place| all.add(place));
+            let root = stage.root(pose);
             roots.add(root);
             if root.is_finite() {
                 ways.push(root - *first_root.get_or_insert(root));
@@ -80,7 +114,7 @@ impl Stage {
         let mut around = Bounds::default();
         self.sample(|stage, pose| {
             let anchor = stage.anchor_of(pose);
-            pose.transforms().iter().for_each(|transform| around.add(transform.position - anchor));
+            stage.places(pose).for_each(|place| around.add(place - anchor));
         });
         let corner =
             |i: usize| Vec3::from([0, 1, 2].map(|axis| [around.low, around.high][i >> axis & 1][axis]));
@@ -100,7 +134,7 @@ impl Stage {
         let step = self.frame_count().div_ceil(samples);
         let (mut frame, mut pose) = (Frame::default(), Pose::default());
         for index in (0..self.frame_count()).step_by(step) {
-            self.motion.read_frame(index, self.positions, &mut frame);
+            self.read_frame(index, &mut frame);
             pose_frame(self.motion.skeleton(), &frame, &solutions::FK, &mut pose);
             look(self, &pose);
         }
@@ -119,15 +153,46 @@ impl Stage {
     /// Frame `index` (from 0) as the functions get it. Behind the last frame it is the rest pose.
     pub fn frame(&self, index: usize) -> Frame {
         let mut frame = Frame::default();
-        self.motion.read_frame(index, self.positions, &mut frame);
+        self.read_frame(index, &mut frame);
         frame
+    }
+
+    /// The same, into `frame`, whose memory is used again.
+    pub fn read_frame(&self, index: usize, frame: &mut Frame) {
+        self.motion.read_frame(index, self.positions, frame);
     }
 
     /// Where the joints are in frame `index` (from 0) if everything is right.
     pub fn reference(&self, index: usize) -> Pose {
         let mut pose = Pose::default();
-        pose_frame(self.motion.skeleton(), &self.frame(index), &solutions::FK, &mut pose);
+        self.read_reference(index, &mut Frame::default(), &mut pose);
         pose
+    }
+
+    /// The same, into `pose` and with `frame`, whose memory is used again.
+    pub fn read_reference(&self, index: usize, frame: &mut Frame, pose: &mut Pose) {
+        self.read_frame(index, frame);
+        pose_frame(self.motion.skeleton(), frame, &solutions::FK, pose);
+    }
+
+    /// The axis of the motion that points up.
+    pub fn up(&self) -> Up {
+        self.up
+    }
+
+    /// Where a place of the motion is in the picture's world.
+    pub fn place(&self, position: Vec3) -> Vec3 {
+        self.upright * position
+    }
+
+    /// Where the joints of a pose are in the picture's world.
+    pub fn places<'a>(&'a self, pose: &'a Pose) -> impl Iterator<Item = Vec3> + 'a {
+        pose.transforms().iter().map(|transform| self.place(transform.position))
+    }
+
+    /// The joints at which nothing hangs: End Sites, and leaves without one.
+    pub fn end_sites(&self) -> &[usize] {
+        &self.end_sites
     }
 
     /// The plane below the figure.
@@ -161,8 +226,9 @@ impl Stage {
         self.anchor_of(&self.reference(index))
     }
 
-    fn anchor_of(&self, pose: &Pose) -> Vec3 {
-        let root = root(pose);
+    /// The same, where the pose is at hand.
+    pub fn anchor_of(&self, pose: &Pose) -> Vec3 {
+        let root = self.root(pose);
         let anchor = Vec3::new(root.x, self.level.unwrap_or(root.y), root.z);
         if anchor.is_finite() { anchor } else { Vec3::ZERO }
     }
@@ -170,41 +236,33 @@ impl Stage {
     /// A camera that shows all that the figure does around `anchor`, and also `others`, as far as they are not much
     /// farther away than the figure is large.
     pub fn camera(&self, anchor: Vec3, others: &[Vec3], size: (usize, usize)) -> Camera {
-        let mut camera =
-            Camera { target: anchor, azimuth: self.azimuth, elevation: ELEVATION, distance: self.size };
+        self.camera_from((self.azimuth, ELEVATION), anchor, others, size)
+    }
+
+    /// The same, seen from a chosen side: azimuth and elevation of the [`Camera`], in radians.
+    pub fn camera_from(
+        &self,
+        (azimuth, elevation): (f32, f32),
+        anchor: Vec3,
+        others: &[Vec3],
+        size: (usize, usize),
+    ) -> Camera {
+        let mut camera = Camera { target: anchor, distance: self.size, ..Camera::default() };
+        camera.orbit(azimuth, elevation);
         let mut points: Vec<Vec3> = self.surroundings.iter().map(|place| anchor + *place).collect();
         points.extend(others.iter().filter(|place| place.distance(anchor) < 2.5 * self.size));
         camera.frame(&points, size, MARGIN, 0.5 * self.size);
         camera
     }
 
-    /// The skeleton in `pose`. `axes` says whether its joints get axes.
-    pub fn figure(&self, pose: &Pose, look: Look, axes: bool) -> Figure {
-        let mut figure = Figure { look, ..Figure::default() };
-        for (joint, transform) in self.motion.skeleton().joints().iter().zip(pose.transforms()) {
-            figure.joints.push(transform.position.into());
-            if let Some(parent) = joint.parent {
-                let side = self.sides[joint.id.0];
-                let (from, to) = (pose[parent].position, transform.position);
-                let (radius, joints) = (0.02 * self.size, (parent.0, joint.id.0));
-                figure.bones.push(Bone { from, to, side, radius, joints });
-            }
-            if axes && !joint.is_end_site {
-                let (origin, rotation) = (transform.position, transform.rotation);
-                figure.axes.push(Axes { origin, rotation, lettered: joint.is_root() });
-            }
-        }
-        figure
+    /// The first joint's place, or the origin.
+    fn root(&self, pose: &Pose) -> Vec3 {
+        pose.transforms().first().map_or(Vec3::ZERO, |root| self.place(root.position))
     }
 }
 
 /// The share of the picture that stays free on each side.
 pub const MARGIN: f32 = 0.08;
-
-/// The first joint's place, or the origin.
-fn root(pose: &Pose) -> Vec3 {
-    pose.transforms().first().map_or(Vec3::ZERO, |root| root.position)
-}
 
 /// The box around points; only the origin when there are none.
 #[derive(Default)]
@@ -225,41 +283,11 @@ impl Bounds {
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `number`.
-fn round_number(number: f32) -> f32 {
+pub fn round_number(number: f32) -> f32 {
     let power = 10f32.powf(number.log10().floor());
     let rounded =
         [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|round| *round <= number * 1.0001);
     rounded.filter(|round| round.is_normal()).unwrap_or(number)
-}
-
-/// The side of the body for every joint: by its own name, or else its parent's.
-fn sides(joints: &[Joint]) -> Vec<Side> {
-    let mut sides: Vec<Side> = Vec::with_capacity(joints.len());
-    for joint in joints {
-        let parents = joint.parent.map_or(Side::Middle, |parent| sides[parent.0]);
-        sides.push(if joint.is_end_site { parents } else { side_of(&joint.name).unwrap_or(parents) });
-    }
-    sides
-}
-
-/// The side that a name tells, in any of the usual spellings: `LeftArm`, `left_arm`, `LArm`, `arm.L`, `Bip01 L Arm`.
-fn side_of(name: &str) -> Option<Side> {
-    let lower = name.to_lowercase();
-    let letters: Vec<char> = name.chars().collect();
-    let alone = |letter: char| {
-        letters.iter().enumerate().any(|(i, char)| {
-            let before = i.checked_sub(1).map(|i| letters[i]);
-            let after = letters.get(i + 1);
-            char.eq_ignore_ascii_case(&letter)
-                && before.is_none_or(|before| !before.is_alphanumeric())
-                && after.is_none_or(|after| !after.is_alphanumeric() || after.is_uppercase())
-        })
-    };
-    match () {
-        () if lower.contains("left") || alone('l') => Some(Side::Left),
-        () if lower.contains("right") || alone('r') => Some(Side::Right),
-        () => None,
-    }
 }
 
 #[cfg(test)]
@@ -268,21 +296,6 @@ mod tests {
 
     use super::*;
     use crate::samples;
-
-    #[test]
-    fn names_tell_sides() {
-        for name in
-            ["LeftArm", "left_arm", "LArm", "lArm", "arm.L", "Bip01 L Arm", "mixamorig:LeftArm", "hand-l"]
-        {
-            assert_eq!(side_of(name), Some(Side::Left), "{name}");
-        }
-        for name in ["RightArm", "rArm", "R", "leg_R"] {
-            assert_eq!(side_of(name), Some(Side::Right), "{name}");
-        }
-        for name in ["Hips", "Larynx", "LowerBack", "Neck1", "Rib", "Head", "", "Pelvis.001"] {
-            assert_eq!(side_of(name), None, "{name}");
-        }
-    }
 
     #[test]
     fn a_round_number_is_one_two_or_five() {

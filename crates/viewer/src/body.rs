@@ -1,0 +1,149 @@
+//! How thick bones are, so that a lit figure looks like a body.
+//!
+//! In a body of arms, legs and a trunk, names tell what a bone is, and its thickness goes by the body's height. In
+//! anything else, and for bones whose names say nothing, it goes by the bone's own length.
+
+use glam::Vec3;
+use skeleton::{Joint, Skeleton};
+
+/// The part of a body that a bone is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Trunk,
+    Chest,
+    Hip,
+    Thigh,
+    Shin,
+    Foot,
+    Toe,
+    Collar,
+    UpperArm,
+    Forearm,
+    Palm,
+    Finger,
+    Neck,
+    Head,
+    Unknown,
+}
+
+impl Part {
+    /// What usual names of joints say. The first that fits counts: `forearm` contains `arm`.
+    const WORDS: [(Part, &'static [&'static str]); 13] = [
+        (Part::Finger, &["finger", "thumb", "metacarpal", "pinky", "handindex", "handmiddle", "handring"]),
+        (Part::Toe, &["toe"]),
+        (Part::Foot, &["foot", "ankle"]),
+        (Part::Thigh, &["upleg", "upperleg", "upper_leg", "thigh", "femur"]),
+        (Part::Hip, &["hipjoint"]),
+        (Part::Shin, &["leg", "shin", "calf", "knee", "tibia"]),
+        (Part::Forearm, &["forearm", "lowerarm", "lower_arm", "elbow", "ulna"]),
+        (Part::Collar, &["shoulder", "clavicle", "collar", "scapula"]),
+        (Part::UpperArm, &["arm", "humerus"]),
+        (Part::Palm, &["hand", "wrist"]),
+        (Part::Neck, &["neck"]),
+        (Part::Head, &["head", "skull"]),
+        (Part::Trunk, &["spine", "chest", "torso", "back", "abdomen", "thorax", "waist", "hip", "pelvis"]),
+    ];
+
+    /// The part that begins at the joint with this name.
+    fn named(name: &str) -> Part {
+        let name = name.to_lowercase();
+        let fits = |(_, words): &&(Part, &[&str])| words.iter().any(|word| name.contains(word));
+        Part::WORDS.iter().find(fits).map_or(Part::Unknown, |(part, _)| *part)
+    }
+
+    /// The bone between two joints that are named like this.
+    fn between(parent: Part, child: Part) -> Part {
+        match (parent, child) {
+            (Part::Trunk, Part::Shin) => Part::Thigh,
+            (Part::Trunk, Part::Thigh | Part::Hip) => Part::Hip,
+            (Part::Trunk, Part::Collar | Part::UpperArm) => Part::Collar,
+            (Part::Trunk, Part::Neck) => Part::Chest,
+            (Part::Trunk, Part::Head) => Part::Neck,
+            (Part::Collar, Part::Forearm) => Part::UpperArm,
+            _ => parent,
+        }
+    }
+
+    /// The radius as a share of the body's height, and the most that it may be of the bone's length.
+    fn girth(self) -> (f32, f32) {
+        match self {
+            Part::Trunk => (0.054, f32::INFINITY),
+            Part::Chest => (0.043, f32::INFINITY),
+            Part::Hip => (0.044, f32::INFINITY),
+            Part::Thigh => (0.041, f32::INFINITY),
+            Part::Shin => (0.031, f32::INFINITY),
+            Part::Foot => (0.022, f32::INFINITY),
+            Part::Toe => (0.019, 0.5),
+            Part::Collar => (0.034, f32::INFINITY),
+            Part::UpperArm => (0.028, f32::INFINITY),
+            Part::Forearm => (0.0225, f32::INFINITY),
+            Part::Palm => (0.014, 0.5),
+            Part::Finger => (0.0085, 0.4),
+            Part::Neck => (0.028, f32::INFINITY),
+            Part::Head => (0.044, f32::INFINITY),
+            Part::Unknown => (0.022, 0.22),
+        }
+    }
+}
+
+/// The least radius, as a share of the size of the whole: what is thinner is hard to see.
+const THINNEST: f32 = 0.003;
+
+/// Where names tell nothing: the radius as a share of the bone's length, and the most that it is of the whole.
+const SLENDER: f32 = 0.18;
+const THICKEST: f32 = 0.032;
+
+/// The radius of the bone that leads to each joint, in the file's unit: positive and finite. `size` is the size of the
+/// whole figure.
+pub fn radii(skeleton: &Skeleton, size: f32) -> Vec<f32> {
+    let joints = skeleton.joints();
+    let named: Vec<Part> = joints.iter().map(|joint| Part::named(&joint.name)).collect();
+    let has = |parts: &[Part]| named.iter().any(|part| parts.contains(part));
+    let is_body =
+        has(&[Part::Thigh, Part::Shin, Part::Hip]) && has(&[Part::Trunk, Part::UpperArm, Part::Forearm]);
+    let height = height(skeleton).min(size);
+    let longest = longest(joints);
+    joints
+        .iter()
+        .map(|joint| {
+            let length = joint.offset.length();
+            let radius = match joint.parent {
+                Some(parent) if is_body => {
+                    let child = if joint.is_end_site { Part::Unknown } else { named[joint.id.0] };
+                    let mut part = Part::between(named[parent.0], child);
+                    if part == Part::Head && length < longest[parent.0] {
+                        // Eyes, jaws and lips hang on the head; one of its bones is the skull.
+                        part = Part::Unknown;
+                    }
+                    let (share, most) = part.girth();
+                    // A bone without a length may be a part of the body's outline, as hips are.
+                    let most = if most.is_finite() { most * length } else { f32::INFINITY };
+                    (share * height).min(most)
+                }
+                _ => (SLENDER * length).min(THICKEST * size),
+            };
+            // The larger of a number and NaN is the number.
+            (THINNEST * size).max(f32::MIN_POSITIVE).max(radius.min(size))
+        })
+        .collect()
+}
+
+/// The longest side of the box around the rest pose: how tall a body stands, or how far it holds out its arms, which is
+/// about the same.
+fn height(skeleton: &Skeleton) -> f32 {
+    let places = skeleton.rest_positions();
+    let low = places.iter().copied().reduce(Vec3::min).unwrap_or(Vec3::ZERO);
+    let high = places.iter().copied().reduce(Vec3::max).unwrap_or(Vec3::ZERO);
+    (high - low).max_element()
+}
+
+/// The length of the longest bone that starts at each joint.
+fn longest(joints: &[Joint]) -> Vec<f32> {
+    let mut longest = vec![0.0f32; joints.len()];
+    for joint in joints {
+        if let Some(parent) = joint.parent {
+            longest[parent.0] = longest[parent.0].max(joint.offset.length());
+        }
+    }
+    longest
+}

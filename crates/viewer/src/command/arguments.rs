@@ -1,0 +1,352 @@
+//! What the command line says.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::{Parser, ValueEnum};
+use skeleton::PositionChannels;
+
+use crate::app::Settings;
+use crate::canvas::MAX_SIDE;
+use crate::frames::FrameRange;
+use crate::gallery::Gallery;
+use crate::keys;
+use crate::scene::Style;
+use crate::source::Source;
+use crate::upright::Up;
+
+/// Shows a motion moved by YOUR functions in exercises/fk/src/fk.rs, with the right answer beside it as a ghost.
+///
+/// Your file is compiled again whenever you save it, and the picture follows.
+#[derive(Clone, Debug, Parser)]
+#[command(name = "cargo view", bin_name = "cargo view", after_help = keys_for_terminal())]
+pub struct Arguments {
+    /// The motion, a .bvh file; several are shown side by side [default: data/running.bvh]
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
+
+    /// Shows the reference solution's figure instead of yours
+    #[arg(long)]
+    pub solution: bool,
+
+    /// Prints the skeleton and what is in the file, and opens no window
+    #[arg(long, group = "output")]
+    pub print: bool,
+
+    /// Writes a picture of one frame, and opens no window: works without a display
+    #[arg(long, value_name = "PICTURE", group = "output")]
+    png: Option<PathBuf>,
+
+    /// Writes a film that every program shows
+    #[arg(long, value_name = "FILM", group = "output")]
+    gif: Option<PathBuf>,
+
+    /// Writes a film in all its colours, for browsers
+    #[arg(long, value_name = "FILM", group = "output")]
+    apng: Option<PathBuf>,
+
+    /// Writes one picture that shows several frames side by side
+    #[arg(long, value_name = "PICTURE", group = "output")]
+    sheet: Option<PathBuf>,
+
+    /// The frame to begin with, or for the picture: counted from 0
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub frame: usize,
+
+    /// The frames of a film or a sheet: 100..200 (both included), 100.., ..50, or 100..200/4 for every fourth [default:
+    /// all]
+    #[arg(long, value_name = "RANGE")]
+    pub frames: Option<FrameRange>,
+
+    /// How many pictures a sheet has
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..=400))]
+    pub pictures: u16,
+
+    /// How fast a film is, compared with the motion
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_speed)]
+    pub speed: f64,
+
+    /// Width and height of the window or the picture, in pixels; of each picture of a sheet [default: 1280x720, and
+    /// 320x240 on a sheet]
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    size: Option<(usize, usize)>,
+
+    /// How large texts are: 2 for a display with very small pixels
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_scale)]
+    scale: f32,
+
+    /// From where to look: degrees around the figure, degrees above the ground, and a zoom, as 90,20 or 90,20,1.5
+    #[arg(long, value_name = "AROUND,ABOVE[,ZOOM]", allow_hyphen_values = true)]
+    camera: Option<Side>,
+
+    /// Draws plain lines instead of bodies
+    #[arg(long)]
+    lines: bool,
+
+    /// The joint to look at, by its name
+    #[arg(long, value_name = "NAME")]
+    joint: Option<String>,
+
+    /// Leaves things out of the picture
+    #[arg(long, value_name = "THINGS", value_delimiter = ',')]
+    hide: Vec<Thing>,
+
+    /// Puts things into the picture that are not there at first
+    #[arg(long, value_name = "THINGS", value_delimiter = ',')]
+    show: Vec<Thing>,
+
+    /// What a position channel does to the joint's OFFSET
+    #[arg(long, value_enum, default_value_t = Positions::Replace)]
+    positions: Positions,
+
+    /// The axis that points up in the file [default: told by the figure]
+    #[arg(long, value_enum)]
+    up: Option<Up>,
+}
+
+/// Something that can be in the picture or not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Thing {
+    /// The goal beside your figure
+    Ghost,
+    /// The joints' axes
+    Axes,
+    /// Where the tips have been
+    Traces,
+    /// Your points
+    Points,
+    /// What the keys do
+    Help,
+    /// All texts, the scale and the bar
+    Words,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Positions {
+    /// It takes its place: what most files mean
+    Replace,
+    /// It is added to it: what a few programs do
+    Add,
+}
+
+/// What is written instead of opening a window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// A picture.
+    Png(PathBuf),
+    /// A film.
+    Gif(PathBuf),
+    /// A film.
+    Apng(PathBuf),
+    /// A contact sheet.
+    Sheet(PathBuf),
+}
+
+impl Arguments {
+    /// The motions to show.
+    pub fn sources(&self, workspace: &Path) -> Vec<Source> {
+        let default = || vec![workspace.join("data").join("running.bvh")];
+        let files = if self.files.is_empty() { default() } else { self.files.clone() };
+        let source = |path| Source { path, positions: self.positions.into(), up: self.up };
+        files.into_iter().map(source).collect()
+    }
+
+    /// What to write, when there is to be no window.
+    pub fn output(&self) -> Option<Output> {
+        let png = self.png.clone().map(Output::Png);
+        let gif = self.gif.clone().map(Output::Gif);
+        let apng = self.apng.clone().map(Output::Apng);
+        png.or(gif).or(apng).or(self.sheet.clone().map(Output::Sheet))
+    }
+
+    /// Width and height of the window or the picture, or of each picture of a sheet.
+    pub fn size(&self) -> (usize, usize) {
+        let usual = if self.sheet.is_some() { (320, 240) } else { (1280, 720) };
+        self.size.unwrap_or(usual)
+    }
+
+    /// The size of each of `count` motions in one picture.
+    pub fn tile(&self, count: usize) -> (usize, usize) {
+        let ((width, height), (columns, rows)) = (self.size(), Gallery::grid(count, self.size()));
+        (width / columns, height / rows)
+    }
+
+    /// Sets all motions up: what is drawn of them, the frame, the joint, and the side to look from.
+    ///
+    /// # Errors
+    ///
+    /// When none of them has a joint of that name.
+    pub fn prepare(&self, gallery: &mut Gallery) -> Result<(), String> {
+        for app in gallery.apps_mut() {
+            app.settings = self.settings();
+            app.go_to(self.frame);
+        }
+        if let Some(Side { around, above, zoom }) = self.camera {
+            let tiles: Vec<_> = gallery.tiles(self.size()).collect();
+            for tile in tiles {
+                gallery.apps_mut()[tile.motion].look_from(around, above, zoom, tile.size);
+            }
+        }
+        match &self.joint {
+            Some(name) => select(gallery, name),
+            None => Ok(()),
+        }
+    }
+
+    fn settings(&self) -> Settings {
+        let mut settings = Settings::default();
+        for (things, shown) in [(&self.show, true), (&self.hide, false)] {
+            for thing in things {
+                *match thing {
+                    Thing::Ghost => &mut settings.ghost,
+                    Thing::Axes => &mut settings.axes,
+                    Thing::Traces => &mut settings.traces,
+                    Thing::Points => &mut settings.points,
+                    Thing::Help => &mut settings.help,
+                    Thing::Words => &mut settings.words,
+                } = shown;
+            }
+        }
+        settings.style = if self.lines { Style::Lines } else { Style::Lit };
+        settings.text_scale = self.scale;
+        // Captions say what there is to say on a sheet.
+        settings.words &= self.sheet.is_none();
+        settings
+    }
+}
+
+/// Looks at the joint `name` in every motion that has it.
+fn select(gallery: &mut Gallery, name: &str) -> Result<(), String> {
+    let mut found = false;
+    for app in gallery.apps_mut() {
+        let joint = app.stage().motion().skeleton().joints().iter().position(|joint| joint.name == name);
+        app.select(joint);
+        found |= joint.is_some();
+    }
+    // A file that cannot be read yet may have it.
+    let first = gallery.apps().iter().find(|app| app.unreadable().is_empty());
+    let (Some(app), false) = (first, found) else { return Ok(()) };
+    let joints = app.stage().motion().skeleton().joints().iter().filter(|joint| !joint.is_end_site);
+    let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
+    let (name, names) = (parser::printable(name), parser::printable(&names.join(", ")));
+    Err(format!("there is no joint {name:?}: {} has {names}", app.title()))
+}
+
+/// A side to look from, in degrees, and a zoom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Side {
+    around: f32,
+    above: f32,
+    zoom: f32,
+}
+
+impl FromStr for Side {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Side, String> {
+        let numbers: Option<Vec<f32>> = text
+            .split(',')
+            .map(|number| number.trim().parse().ok().filter(|n: &f32| n.is_finite()))
+            .collect();
+        match numbers.as_deref() {
+            Some(&[around, above]) => Ok(Side { around, above, zoom: 1.0 }),
+            Some(&[around, above, zoom]) if (0.01..=100.0).contains(&zoom) => {
+                Ok(Side { around, above, zoom })
+            }
+            Some([_, _, _]) => Err("the zoom, the third number, is from 0.01 to 100".into()),
+            _ => {
+                Err("write two or three numbers with commas between them, for example 90,20 or 90,20,1.5"
+                    .into())
+            }
+        }
+    }
+}
+
+fn parse_size(text: &str) -> Result<(usize, usize), String> {
+    let side = |side: &str| side.parse::<usize>().ok().filter(|side| (16..=MAX_SIDE).contains(side));
+    let (width, height) = text.split_once(['x', 'X']).unwrap_or((text, ""));
+    side(width).zip(side(height)).ok_or_else(|| {
+        format!("write two numbers from 16 to {MAX_SIDE} with an x between them, for example 1280x720")
+    })
+}
+
+fn parse_scale(text: &str) -> Result<f32, String> {
+    let scale = text.parse().ok().filter(|scale| (0.5..=4.0).contains(scale));
+    scale.ok_or_else(|| {
+        "write a number from 0.5 to 4: 1 is for ordinary displays, 2 for very fine ones".into()
+    })
+}
+
+fn parse_speed(text: &str) -> Result<f64, String> {
+    let speed = text.parse().ok().filter(|speed| (0.01..=100.0).contains(speed));
+    speed.ok_or_else(|| "write a number from 0.01 to 100: 0.5 is half as fast as the motion".into())
+}
+
+fn keys_for_terminal() -> String {
+    let rows: String = keys::help().map(|(name, help)| format!("  {name:<10} {help}\n")).collect();
+    format!("Keys in the window:\n{rows}")
+}
+
+impl From<Positions> for PositionChannels {
+    fn from(positions: Positions) -> PositionChannels {
+        match positions {
+            Positions::Replace => PositionChannels::Replace,
+            Positions::Add => PositionChannels::Add,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_well_formed_and_its_help_names_every_key() {
+        Arguments::command().debug_assert();
+        let help = Arguments::command().render_long_help().to_string();
+        for (name, text) in keys::help() {
+            assert!(help.contains(name) && help.contains(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_size_is_two_numbers_with_an_x() {
+        assert_eq!(parse_size("640x480"), Ok((640, 480)));
+        for wrong in ["640", "640x", "x480", "15x400", "640x99999999999999999999", "-640x480", "640×480", ""]
+        {
+            assert!(parse_size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_side_is_two_angles_and_perhaps_a_zoom() {
+        assert_eq!("90, -20".parse(), Ok(Side { around: 90.0, above: -20.0, zoom: 1.0 }));
+        assert_eq!("-5,0,1.5".parse(), Ok(Side { around: -5.0, above: 0.0, zoom: 1.5 }));
+        for wrong in ["", "90", "90,", "a,b", "1,2,3,4", "1,2,0", "1,NaN", "inf,1"] {
+            assert!(wrong.parse::<Side>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn things_are_shown_and_hidden_by_name() {
+        let settings = |words: &[&str]| {
+            let words = ["cargo view"].iter().chain(words);
+            Arguments::try_parse_from(words).unwrap().settings()
+        };
+        assert_eq!(settings(&[]), Settings::default());
+        let changed = settings(&["--hide", "ghost,axes", "--show", "help", "--lines", "--scale", "2"]);
+        let expected = Settings {
+            ghost: false,
+            axes: false,
+            help: true,
+            style: Style::Lines,
+            text_scale: 2.0,
+            ..Settings::default()
+        };
+        assert_eq!(changed, expected);
+        assert!(Arguments::try_parse_from(["cargo view", "--scale", "9"]).is_err());
+        assert!(Arguments::try_parse_from(["cargo view", "--png", "a.png", "--gif", "a.gif"]).is_err());
+    }
+}

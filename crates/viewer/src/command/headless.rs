@@ -1,0 +1,199 @@
+//! Pictures, films and contact sheets: the window's own pictures, without a window.
+
+use std::convert::Infallible;
+use std::path::Path;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::arguments::{Arguments, Output};
+use super::{say, text, workspace};
+use crate::answers::Recorded;
+use crate::app::{App, Shown};
+use crate::canvas::Canvas;
+use crate::draw::Painter;
+use crate::film::{self, Format, Frames};
+use crate::frames::{self, FrameRange};
+use crate::gallery::Gallery;
+use crate::screen::Screen;
+use crate::sheet::{Sheet, spread};
+use crate::source::Source;
+use crate::student::Status;
+use crate::{picture, worker};
+
+/// Writes what the command line asks for.
+pub fn write(arguments: &Arguments, output: &Output, sources: &[Source]) -> Result<(), String> {
+    let mut studio = Studio::open(arguments, output, sources)?;
+    let path = output.path();
+    let written = match output {
+        Output::Png(_) => studio.picture(path),
+        Output::Gif(_) => studio.film(path, Format::Gif),
+        Output::Apng(_) => studio.film(path, Format::Apng),
+        Output::Sheet(_) => studio.sheet(path, arguments),
+    };
+    say(&format!("{}: {}\n", path.display(), written?));
+    Ok(())
+}
+
+/// What pictures are made of.
+struct Studio {
+    gallery: Gallery,
+    /// Those of each motion; none when the reference's figure is shown.
+    answers: Vec<Recorded>,
+    screen: Screen,
+    size: (usize, usize),
+    /// The frames of the first motion that become pictures.
+    frames: Vec<usize>,
+    /// How long each is shown, in seconds.
+    seconds: f64,
+}
+
+impl Studio {
+    fn open(arguments: &Arguments, output: &Output, sources: &[Source]) -> Result<Studio, String> {
+        let mut apps = Vec::new();
+        for source in sources {
+            let loaded = source.read().map_err(text)?;
+            let count = loaded.stage.motion().frame_count();
+            frames::check(arguments.frame, count).map_err(|error| format!("{}: {error}", source.title()))?;
+            let tile = arguments.tile(sources.len());
+            apps.push(App::new(loaded.stage, source.title(), loaded.warnings, tile));
+        }
+        let mut gallery = Gallery::new(apps);
+        arguments.prepare(&mut gallery)?;
+        let (frames, seconds) = choose(arguments, output, &gallery.apps()[0])?;
+        let mut studio = Studio {
+            gallery,
+            answers: Vec::new(),
+            screen: Screen::new(arguments.size()),
+            size: arguments.size(),
+            frames,
+            seconds,
+        };
+        if !arguments.solution {
+            studio.ask();
+        }
+        Ok(studio)
+    }
+
+    /// Asks the student's functions for all that will be seen of them.
+    fn ask(&mut self) {
+        let mut worker = worker::compile(&workspace());
+        for motion in 0..self.gallery.apps().len() {
+            let recorded = match &mut worker {
+                Err(trouble) => Recorded::new(Status::Failed(trouble.clone().into())),
+                Ok(worker) => {
+                    let frames = self.frames.iter().flat_map(|frame| self.seen_with(motion, *frame));
+                    Recorded::ask(worker, self.gallery.apps()[motion].stage(), frames)
+                }
+            };
+            if let Status::Failed(trouble) = &recorded.standing.status {
+                let shown = if recorded.poses.is_empty() { "only the goal" } else { "what came before that" };
+                eprintln!("{}: the picture shows {shown}", trouble.headline);
+            }
+            self.answers.push(recorded);
+        }
+    }
+
+    /// The frames of a motion that are seen in the picture of one frame of the first motion.
+    fn seen_with(&self, motion: usize, frame: usize) -> impl Iterator<Item = usize> + use<> {
+        let app = &self.gallery.apps()[motion];
+        let mut player = app.player().clone();
+        player.go_to(self.frame_of(motion, frame));
+        let traced = if app.settings.traces { app.traced_frames() } else { 1 };
+        player.traced(traced)
+    }
+
+    /// The frame of a motion that is shown beside one of the first: that of the same time.
+    fn frame_of(&self, motion: usize, frame: usize) -> usize {
+        let seconds = |motion: usize| self.gallery.apps()[motion].stage().motion().playable_frame_time();
+        (frame as f64 * seconds(0) / seconds(motion)).round() as usize
+    }
+
+    fn draw(&mut self, frame: usize) {
+        for motion in 0..self.gallery.apps().len() {
+            let frame = self.frame_of(motion, frame);
+            self.gallery.apps_mut()[motion].go_to(frame);
+        }
+        let answers = &self.answers;
+        let shown =
+            |motion: usize| answers.get(motion).map_or(Shown::Reference, |answers| Shown::Student(answers));
+        self.screen.update(&mut self.gallery, shown, self.size);
+    }
+
+    fn picture(&mut self, path: &Path) -> Result<String, String> {
+        let frame = self.frames.first().copied().unwrap_or_default();
+        self.draw(frame);
+        save(&self.screen, path)?;
+        let (width, height) = self.screen.canvas().size();
+        Ok(format!("frame {frame}, {width} x {height} pixels"))
+    }
+
+    fn film(&mut self, path: &Path, format: Format) -> Result<String, String> {
+        let (count, size, seconds) = (self.frames.len(), self.size, self.seconds);
+        let progress = bar(count);
+        let draw = |index: usize, canvas: &mut Canvas| {
+            self.draw(self.frames[index.min(count - 1)]);
+            canvas.paste(self.screen.canvas(), 0, 0);
+            Ok::<(), Infallible>(())
+        };
+        let frames = Frames { count, size, seconds };
+        film::write(path, format, frames, draw, |done| progress.set_position(done as u64)).map_err(text)?;
+        progress.finish_and_clear();
+        let (width, height) = size;
+        Ok(format!("{count} pictures of {width} x {height} pixels, {:.2} seconds", seconds * count as f64))
+    }
+
+    fn sheet(&mut self, path: &Path, arguments: &Arguments) -> Result<String, String> {
+        let mut sheet = Sheet::new(self.frames.len(), self.size, None);
+        self.size = sheet.tile();
+        let (frames, mut painter) = (self.frames.clone(), Painter::new());
+        for (index, frame) in frames.iter().take(sheet.count()).enumerate() {
+            self.draw(*frame);
+            sheet.place(index, self.screen.canvas(), &format!("frame {frame}"), &mut painter);
+        }
+        let fewer = match sheet.count() < frames.len() {
+            true => format!(" (of {}: more do not fit)", arguments.pictures),
+            false => String::new(),
+        };
+        let (count, sheet) = (sheet.count(), sheet.finish());
+        picture::save(&sheet, path).map_err(|error| not_written(path, &error))?;
+        Ok(format!("{count} frames{fewer}, {} x {} pixels", sheet.size().0, sheet.size().1))
+    }
+}
+
+/// The frames of the first motion that become pictures, and how long each is shown.
+fn choose(arguments: &Arguments, output: &Output, first: &App) -> Result<(Vec<usize>, f64), String> {
+    let motion = first.stage().motion();
+    let seconds = motion.playable_frame_time() / arguments.speed;
+    let range = arguments.frames.unwrap_or(FrameRange::ALL);
+    let all = range.resolve(motion.frame_count()).map_err(|error| format!("{}: {error}", first.title()))?;
+    let film = |format: Format| {
+        // Who has said which frames gets those.
+        let every = if range.step() > 1 { 1 } else { format.every(seconds) };
+        (all.clone().step_by(every).collect(), seconds * (every * range.step()) as f64)
+    };
+    Ok(match output {
+        Output::Png(_) => (vec![arguments.frame], seconds),
+        Output::Gif(_) => film(Format::Gif),
+        Output::Apng(_) => film(Format::Apng),
+        Output::Sheet(_) if range.step() > 1 => (all.collect(), seconds),
+        Output::Sheet(_) => {
+            let (first, last) = (all.clone().next().unwrap_or(0), all.last().unwrap_or(0));
+            (spread(first, last, arguments.pictures.into()), seconds)
+        }
+    })
+}
+
+fn save(screen: &Screen, path: &Path) -> Result<(), String> {
+    picture::save(screen.canvas(), path).map_err(|error| not_written(path, &error))
+}
+
+fn not_written(path: &Path, error: &std::io::Error) -> String {
+    format!("the picture cannot be written to {}: {error}", path.display())
+}
+
+/// A bar in the terminal; nothing where there is none.
+fn bar(count: usize) -> ProgressBar {
+    let bar = ProgressBar::new(count as u64);
+    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} pictures, {eta} left");
+    style.map_or(bar.clone(), |style| bar.with_style(style))
+}

@@ -1,0 +1,108 @@
+//! The command `cargo view`.
+
+mod arguments;
+mod headless;
+mod targets;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::app::App;
+use crate::gallery::Gallery;
+use crate::session::Session;
+use crate::source::{self, Loaded, Source};
+use crate::{frames, print, window};
+
+pub use arguments::Arguments;
+
+/// Does what the command line asks for, and gives the exit code: 0 when it was done, 1 when not, 2 for a command
+/// line that cannot be understood.
+pub fn run() -> ExitCode {
+    let arguments = Arguments::parse();
+    match view(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn view(arguments: &Arguments) -> Result<(), String> {
+    let sources = arguments.sources(&workspace());
+    if let Some(output) = arguments.output() {
+        targets::check(&output, &sources)?;
+    }
+    if arguments.print {
+        return sources.iter().try_for_each(|source| {
+            say(&report(source, &source.read().map_err(text)?));
+            Ok(())
+        });
+    }
+    if let Some(output) = arguments.output() {
+        return headless::write(arguments, &output, &sources);
+    }
+
+    let mut apps = Vec::new();
+    for source in &sources {
+        apps.push(open(arguments, source, sources.len())?);
+    }
+    let mut gallery = Gallery::new(apps);
+    arguments.prepare(&mut gallery)?;
+    let session = Session::open(gallery, sources, (!arguments.solution).then(workspace));
+    window::open(session, arguments.size()).map_err(text)
+}
+
+/// A motion as the window shows it first. One that cannot be read is told in the terminal and in the window, where it
+/// appears as soon as it can be.
+fn open(arguments: &Arguments, source: &Source, count: usize) -> Result<App, String> {
+    // A name without a file is most likely a slip of the hand.
+    if !source.path.exists() {
+        source.read().map_err(text)?;
+    }
+    let loaded = source.read();
+    match &loaded {
+        Ok(loaded) => {
+            let frames = loaded.stage.motion().frame_count();
+            frames::check(arguments.frame, frames).map_err(|error| format!("{}: {error}", source.title()))?;
+            say(&report(source, loaded));
+        }
+        Err(error) => eprintln!("{error}"),
+    }
+    let stage = loaded.as_ref().map_or_else(|_| source::nothing(), |loaded| loaded.stage.clone());
+    let warnings = loaded.as_ref().map_or_else(|_| Vec::new(), |loaded| loaded.warnings.clone());
+    let mut app = App::new(stage, source.title(), warnings, arguments.tile(count));
+    if let Err(error) = loaded {
+        app.cannot_read(&error.to_string());
+    }
+    Ok(app)
+}
+
+/// What is printed of a motion: its name, its skeleton, a summary, and what is odd about the file.
+fn report(source: &Source, loaded: &Loaded) -> String {
+    let warnings = match &loaded.warnings[..] {
+        [] => "warnings         none\n".to_owned(),
+        some => some.iter().map(|warning| format!("warning          {warning}\n")).collect(),
+    };
+    let (title, motion) = (source.title(), loaded.stage.motion());
+    format!("{title}\n\n{}\n{}{warnings}", print::tree(motion.skeleton()), print::summary(motion))
+}
+
+/// Writes to the standard output. Whoever reads there may have gone, as `head` does; that is no reason to fail.
+fn say(text: &str) {
+    let _ = io::stdout().write_all(text.as_bytes());
+}
+
+/// The folder of the workspace: that of the package when cargo runs the viewer, or that in which it was compiled.
+fn workspace() -> PathBuf {
+    let package = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    let package = PathBuf::from(package);
+    package.ancestors().nth(2).map_or(package.clone(), Path::to_path_buf)
+}
+
+fn text(error: impl ToString) -> String {
+    error.to_string()
+}

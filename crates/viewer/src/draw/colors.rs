@@ -1,0 +1,60 @@
+//! What colour things have.
+
+use crate::canvas::Color;
+use crate::scene::{Off, Side, Tint};
+
+/// Edges around letters, so that they can be read on anything.
+pub(super) const PAPER: Color = Color(0xF4_F6_F7);
+
+/// The border of a joint's square, of a dark one, and of the frame around the selected one.
+const SQUARE_BORDER: Color = Color(0x3B_0F_63);
+const LIGHT_BORDER: Color = Color(0xFF_D9_D2);
+
+/// What is not up to date is mixed with this.
+pub(super) const PALE: Color = Color(0xDD_E0_E3);
+
+/// The colours, chosen so that they stay apart for colour-blind eyes, in their lightness if not in their hue.
+pub fn color_of(tint: Tint) -> Color {
+    match tint {
+        Tint::Joint => Color(0x8A_2B_D8),
+        Tint::Bone(Side::Left) => Color(0xD9_7A_18),
+        Tint::Bone(Side::Right) => Color(0x2F_7F_D0),
+        Tint::Bone(Side::Middle) => Color(0x39_43_50),
+        Tint::Off(Off::Right) => Color(0x8A_2B_D8),
+        Tint::Off(Off::Little) => Color(0xFF_E4_5C),
+        Tint::Off(Off::Some) => Color(0xE0_44_2E),
+        Tint::Off(Off::Much) => Color(0x3A_0A_0A),
+        Tint::Ghost => Color(0x0E_8F_83),
+        Tint::X => Color(0xC8_1E_1E),
+        Tint::Y => Color(0x2F_B3_44),
+        Tint::Z => Color(0x22_3F_D6),
+        Tint::Ink => Color(0x22_2A_35),
+    }
+}
+
+/// How a joint's square looks: what fills it, its border, and how large it is, 1 for one in its right place. Size tells
+/// what colours tell, so that nobody depends on them.
+pub(super) fn square_of(off: Off) -> (Color, Color, f32) {
+    let fill = color_of(Tint::Off(off));
+    match off {
+        Off::Right => (fill, SQUARE_BORDER, 1.0),
+        Off::Little => (fill, Color(0x4A_3C_00), 1.15),
+        Off::Some => (fill, Color(0x50_08_00), 1.35),
+        Off::Much => (fill, LIGHT_BORDER, 1.6),
+    }
+}
+
+/// The colour of a trail.
+pub(super) fn trail(index: usize) -> Color {
+    const TRAILS: [Color; 8] = [
+        Color(0xC0_30_5A),
+        Color(0x2A_86_48),
+        Color(0x6E_4C_CC),
+        Color(0xD8_5A_22),
+        Color(0x2F_7C_C4),
+        Color(0x8A_6A_10),
+        Color(0xA8_3C_A8),
+        Color(0x4C_40_3A),
+    ];
+    TRAILS[index % TRAILS.len()]
+}

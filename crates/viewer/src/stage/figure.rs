@@ -1,0 +1,122 @@
+//! From a pose to the figure that is drawn.
+
+use skeleton::{Joint, Pose};
+
+use super::Stage;
+use crate::scene::{Axes, Bone, Dot, Figure, Look, Off};
+
+/// How a figure is to be.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wanted<'a> {
+    /// The part that it plays.
+    pub look: Look,
+    /// Whether its joints get axes.
+    pub axes: bool,
+    /// Where its joints should be; a pose of the same skeleton.
+    pub expected: Option<&'a Pose>,
+    /// The joint to look at.
+    pub selected: Option<usize>,
+}
+
+impl Stage {
+    /// The skeleton in `pose`. `axes` says whether its joints get axes.
+    pub fn figure(&self, pose: &Pose, look: Look, axes: bool) -> Figure {
+        let mut figure = Figure::default();
+        self.fill(&mut figure, pose, &Wanted { look, axes, ..Wanted::default() });
+        figure
+    }
+
+    /// Makes `figure` the skeleton in `pose`. Its memory is used again.
+    pub fn fill(&self, figure: &mut Figure, pose: &Pose, wanted: &Wanted) {
+        figure.look = wanted.look;
+        figure.bones.clear();
+        figure.joints.clear();
+        figure.axes.clear();
+        for (joint, transform) in self.motion.skeleton().joints().iter().zip(pose.transforms()) {
+            let place = self.place(transform.position);
+            let right = wanted.expected.map_or(place, |expected| self.place(expected[joint.id].position));
+            let selected = wanted.selected == Some(joint.id.0);
+            figure.joints.push(Dot { place, off: Off::by(place.distance(right) / self.size), selected });
+            if let Some(parent) = joint.parent {
+                let side = self.sides[joint.id.0];
+                let from = self.place(pose[parent].position);
+                let (radius, joints) = (self.radii[joint.id.0], (parent.0, joint.id.0));
+                figure.bones.push(Bone { from, to: place, side, radius, joints });
+            }
+            if wanted.axes && !joint.is_end_site {
+                let rotation = self.upright * transform.rotation;
+                let lettered = if wanted.selected.is_some() { selected } else { joint.is_root() };
+                figure.axes.push(Axes { origin: place, rotation, lettered });
+            }
+        }
+    }
+}
+
+/// The joints that are no other's parent.
+pub(super) fn tips(joints: &[Joint]) -> Vec<usize> {
+    let mut tips = vec![true; joints.len()];
+    for parent in joints.iter().filter_map(|joint| joint.parent) {
+        tips[parent.0] = false;
+    }
+    (0..joints.len()).filter(|joint| tips[*joint]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{Quat, Vec3};
+    use skeleton::{JointId, PositionChannels};
+
+    use super::*;
+    use crate::samples;
+    use crate::upright::Up;
+
+    fn stage(up: Option<Up>) -> Stage {
+        Stage::with_up(samples::chain(4, 1.0), PositionChannels::Replace, up)
+    }
+
+    #[test]
+    fn joints_tell_how_far_they_are_off_and_which_one_is_selected() {
+        let stage = stage(None);
+        let expected = stage.reference(1);
+        let mut given = expected.clone();
+        for (joint, share) in [(1, 0.5 * Off::LITTLE), (2, 0.5 * Off::SOME), (3, 2.0 * Off::SOME)] {
+            given[JointId(joint)].position.x += share * stage.size();
+        }
+        given[JointId(4)].position.y = f32::NAN;
+        let mut figure = stage.figure(&expected, Look::Ghost, true);
+        let wanted = Wanted { expected: Some(&expected), selected: Some(2), axes: true, ..Wanted::default() };
+        stage.fill(&mut figure, &given, &wanted);
+        let offs: Vec<Off> = figure.joints.iter().map(|dot| dot.off).collect();
+        assert_eq!(offs, [Off::Right, Off::Little, Off::Some, Off::Much, Off::Much]);
+        let selected: Vec<bool> = figure.joints.iter().map(|dot| dot.selected).collect();
+        assert_eq!(selected, [false, false, true, false, false]);
+        assert_eq!(
+            (figure.bones.len(), figure.axes.len()),
+            (4, 3),
+            "a figure that is filled anew holds one skeleton"
+        );
+    }
+
+    #[test]
+    fn a_figure_stands_upright_whatever_the_file_calls_up() {
+        let (y, z) = (stage(Some(Up::Y)), stage(Some(Up::Z)));
+        let (a, b) =
+            (y.figure(&y.reference(2), Look::Solid, true), z.figure(&z.reference(2), Look::Solid, true));
+        for (a, b) in a.joints.iter().zip(&b.joints) {
+            assert_eq!(b.place, Up::Z.rotation() * a.place);
+        }
+        let turned = |q: Quat| q * Vec3::X;
+        for (a, b) in a.axes.iter().zip(&b.axes) {
+            assert!((Up::Z.rotation() * turned(a.rotation)).abs_diff_eq(turned(b.rotation), 1e-5));
+        }
+    }
+
+    #[test]
+    fn tips_are_end_sites_and_leaves_without_one() {
+        assert_eq!(stage(None).end_sites(), [2, 4]);
+        let mut skeleton = skeleton::Skeleton::new();
+        let root = skeleton.add_joint(None, "r", Vec3::ZERO, []).unwrap();
+        skeleton.add_joint(Some(root), "leaf", Vec3::Y, []).unwrap();
+        assert_eq!(tips(skeleton.joints()), [1]);
+    }
+}
