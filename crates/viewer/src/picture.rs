@@ -27,14 +27,26 @@ pub fn encode(canvas: &Canvas) -> io::Result<Vec<u8>> {
     let mut encoder = png::Encoder::new(&mut bytes, canvas.size().0 as u32, canvas.size().1 as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    // For the viewer's gradients this is as small as the highest level with the usual filter, in a fifth of the time.
+    // For the viewer's soft colours this is no larger than the highest level with the usual filter, and takes a fourth of the
+    // time.
     encoder.set_deflate_compression(png::DeflateCompression::Level(4));
     encoder.set_filter(png::Filter::MinEntropy);
     let mut writer = encoder.write_header().map_err(io::Error::other)?;
-    let data: Vec<u8> = canvas.pixels().iter().flat_map(|pixel| Color(*pixel).channels()).collect();
+    let mut data = Vec::new();
+    add_channels(canvas.pixels(), &mut data);
     writer.write_image_data(&data).map_err(io::Error::other)?;
     writer.finish().map_err(io::Error::other)?;
     Ok(bytes)
+}
+
+/// Adds the red, green and blue of each pixel to `bytes`.
+pub(crate) fn add_channels(pixels: &[u32], bytes: &mut Vec<u8>) {
+    let start = bytes.len();
+    // All the room first: an iterator over channels does not know how long it is, and took longer than compressing them.
+    bytes.resize(start + 3 * pixels.len(), 0);
+    for (channels, pixel) in bytes[start..].chunks_exact_mut(3).zip(pixels) {
+        channels.copy_from_slice(&Color(*pixel).channels());
+    }
 }
 
 #[cfg(test)]

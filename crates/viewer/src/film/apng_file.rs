@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::changed::Part;
 use super::pace::fraction;
 use super::{Failure, Reel};
-use crate::canvas::Color;
+use crate::picture;
 
 pub(super) fn write(
     file: &mut dyn Write,
@@ -18,7 +18,9 @@ pub(super) fn write(
     let mut encoder = png::Encoder::new(file, width as u32, height as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Fast);
+    // Two thirds of the fastest level's size, and still twice as fast as a single picture.
+    encoder.set_deflate_compression(png::DeflateCompression::Level(2));
+    encoder.set_filter(png::Filter::MinEntropy);
     // For ever.
     encoder.set_animated(count, 0)?;
     let (numerator, denominator) = fraction(reel.frames.seconds);
@@ -36,9 +38,7 @@ pub(super) fn write(
             _ => Part::changed(&shown, pixels, width),
         };
         bytes.clear();
-        bytes.extend(
-            part.rows(pixels, width).flat_map(|(_, row)| row).flat_map(|pixel| Color(*pixel).channels()),
-        );
+        part.rows(pixels, width).for_each(|(_, row)| picture::add_channels(row, &mut bytes));
         shown.clear();
         shown.extend_from_slice(pixels);
         if index > 0 {

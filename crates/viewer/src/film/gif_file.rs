@@ -46,11 +46,10 @@ pub(super) fn write(
         bytes.clear();
         for (y, row) in part.rows(pixels, width) {
             let before = &mut indices[y * width + part.left..][..part.width];
-            for (x, (pixel, before)) in row.iter().zip(before).enumerate() {
-                let now = dither.index(*pixel, part.left + x, y);
-                bytes.push(if now == *before { AS_BEFORE } else { now });
-                *before = now;
-            }
+            dither.row(row, (part.left, y), |x, now| {
+                bytes.push(if now == before[x] { AS_BEFORE } else { now });
+                before[x] = now;
+            });
         }
         shown.clear();
         shown.extend_from_slice(pixels);

@@ -37,6 +37,7 @@ pub struct Frames {
     /// Width and height in pixels, brought into the range of [`Canvas::new`].
     pub size: (usize, usize),
     /// How long each is shown, in seconds; 1/30 when it is less than a millionth or more than a million, or no number.
+    /// A film with too many pictures a second is shown too slowly: see [`Format::every`].
     pub seconds: f64,
 }
 

@@ -176,3 +176,34 @@ fn settle(points: &[Point], centres: &mut [[f32; 3]]) {
         *centre = mean.mean();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chosen(pixels: &[u32]) -> Vec<[u8; 3]> {
+        let mut census = Census::new();
+        census.count(pixels);
+        choose(census)
+    }
+
+    #[test]
+    fn few_colours_are_kept_as_they_are() {
+        let colors = [0x00_00_00, 0x11_F0_08, 0x8A_2B_D8, 0xF4_F6_F7, 0xFF_FF_FF];
+        let expected: Vec<[u8; 3]> = colors.iter().map(|color| Color(*color).channels()).collect();
+        assert_eq!(chosen(&colors), expected);
+        assert_eq!(chosen(&[]), [[0; 3]]);
+    }
+
+    #[test]
+    fn many_colours_become_255_and_a_rare_one_is_not_lost() {
+        // Three hundred thousand pixels of soft greys and blues, and one small square of purple.
+        let mut pixels: Vec<u32> =
+            (0..300_000u32).map(|i| (100 + i % 97) << 16 | (100 + i % 89) << 8 | 200).collect();
+        pixels.extend([0x8A_2B_D8; 49]);
+        let colors = chosen(&pixels);
+        assert_eq!(colors.len(), MOST);
+        let far = |color: &[u8; 3]| (0..3).map(|c| color[c].abs_diff([0x8A, 0x2B, 0xD8][c])).max();
+        assert!(colors.iter().filter_map(far).min().unwrap() <= 2);
+    }
+}
