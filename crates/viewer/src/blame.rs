@@ -76,7 +76,9 @@ fn own(case: &Case, joint: &Joint) -> Option<Blame> {
     let expected_local = right_local(case.skeleton, case.angles, joint.id);
     let position = case.local_positions.get(joint.id.0).copied().unwrap_or(joint.offset);
     let moved = (solutions::FK.global_position)(joint, position, case.given);
-    let third = !(given.position.distance(moved) <= POSITION_TOLERANCE * case.size);
+    // NaN is not near anything.
+    let near = given.position.distance(moved) <= POSITION_TOLERANCE * case.size;
+    let third = !near;
 
     let local = case.locals.and_then(|locals| locals.get(joint.id.0)).map(|answer| answer.rotation);
     let turned = |local| (solutions::FK.global_quaternion)(joint, local, case.given);

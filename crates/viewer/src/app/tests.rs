@@ -141,7 +141,8 @@ mod camera {
         app.look_from(90.0, 30.0, 2.0, SIZE);
         let stub = answers(&app, STUB);
         let camera = app.scene(Shown::Student(&stub), SIZE).camera;
-        assert!((camera.azimuth - 1.5708).abs() < 1e-3 && (camera.elevation - 0.5236).abs() < 1e-3);
+        assert!((camera.azimuth.to_degrees() - 90.0).abs() < 1e-3, "{camera:?}");
+        assert!((camera.elevation.to_degrees() - 30.0).abs() < 1e-3, "{camera:?}");
         let mut far = self::app(5);
         far.look_from(90.0, 30.0, 1.0, SIZE);
         let far = far.scene(Shown::Reference, SIZE).camera;

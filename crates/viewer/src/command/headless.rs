@@ -17,6 +17,7 @@ use crate::draw::Painter;
 use crate::film::{self, Format, Frames};
 use crate::frames::{self, FrameRange};
 use crate::gallery::Gallery;
+use crate::keys::Action;
 use crate::screen::Screen;
 use crate::sheet::{Sheet, spread};
 use crate::source::Source;
@@ -129,10 +130,24 @@ impl Studio {
     }
 
     fn draw(&mut self, frame: usize) {
+        self.go_to(frame);
+        self.draw_now();
+    }
+
+    fn draw_playing(&mut self, frame: usize) {
+        self.go_to(frame);
+        self.gallery.act(Action::Play);
+        self.draw_now();
+    }
+
+    fn go_to(&mut self, frame: usize) {
         for motion in 0..self.gallery.apps().len() {
             let frame = self.frame_of(motion, frame);
             self.gallery.apps_mut()[motion].go_to(frame);
         }
+    }
+
+    fn draw_now(&mut self) {
         let answers = &self.answers;
         let shown =
             |motion: usize| answers.get(motion).map_or(Shown::Reference, |answers| Shown::Student(answers));
@@ -151,7 +166,7 @@ impl Studio {
         let (count, size, seconds) = (self.frames.len(), self.size, self.seconds);
         let progress = bar(count);
         let draw = |index: usize, canvas: &mut Canvas| {
-            self.draw(self.frames[index.min(count - 1)]);
+            self.draw_playing(self.frames[index.min(count - 1)]);
             canvas.paste(self.screen.canvas(), 0, 0);
             Ok::<(), Infallible>(())
         };
@@ -187,8 +202,8 @@ fn choose(arguments: &Arguments, output: &Output, first: &App) -> Result<(Vec<us
     let range = arguments.frames.unwrap_or(FrameRange::ALL);
     let all = range.resolve(motion.frame_count()).map_err(|error| format!("{}: {error}", first.title()))?;
     let film = |format: Format| {
-        // Who has said which frames gets those.
-        let every = if range.step() > 1 { 1 } else { format.every(seconds) };
+        // Of the chosen frames as many as programs show at their speed.
+        let every = format.every(seconds * range.step() as f64);
         (all.clone().step_by(every).collect(), seconds * (every * range.step()) as f64)
     };
     Ok(match output {
@@ -197,7 +212,8 @@ fn choose(arguments: &Arguments, output: &Output, first: &App) -> Result<(Vec<us
         Output::Apng(_) => film(Format::Apng),
         Output::Sheet(_) if range.step() > 1 => (all.collect(), seconds),
         Output::Sheet(_) => {
-            let (first, last) = (all.clone().next().unwrap_or(0), all.last().unwrap_or(0));
+            let (mut first, mut last) = (all.clone(), all);
+            let (first, last) = (first.next().unwrap_or(0), last.next_back().unwrap_or(0));
             (spread(first, last, arguments.pictures.into()), seconds)
         }
     })
