@@ -1,0 +1,65 @@
+//! A student edits the file while the window is open.
+
+use viewer::draw::color_of;
+use viewer::scene::{Off, Tint};
+
+use super::display::{Display, wait_for};
+use super::support::Course;
+use super::viewer::Viewer;
+
+pub const TESTS: &[(&str, fn())] = &[("saved_edits_change_the_picture_and_none_closes_the_window", edits)];
+
+const SOLUTION: &str = include_str!("../../../../solutions/src/fk.rs");
+const TEMPLATE: &str = include_str!("../../../../solutions/templates/fk.rs");
+
+/// From the template to the solution, through all that can go wrong on the way.
+fn edits() {
+    let course = Course::open("a window with spaces");
+    course.save(TEMPLATE);
+    let display = Display::start();
+    let motion = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/running.bvh");
+    let viewer = Viewer::open_in(&display, &course.folder, &[motion, "--frame", "40"]);
+    viewer.wait_for_words("Forward kinematics: 0 of 15 points");
+    let off = |picture: &super::display::Picture| picture.count(color_of(Tint::Off(Off::Much)).channels());
+    let template = wait_for("joints that are off", || Some(display.picture()).filter(|now| off(now) > 200));
+
+    viewer.forget_words();
+    course.save(SOLUTION);
+    let solved = viewer.wait_for_change("the figure", &template, 0.02);
+    viewer.wait_for_words("Forward kinematics: 15 of 15 points");
+    wait_for("all joints to be in their places", || (off(&display.picture()) == 0).then_some(()));
+    drop(solved);
+
+    viewer.forget_words();
+    course.save(&SOLUTION.replace("None => local_position,", "None => panic!(\"not today\"),"));
+    viewer.wait_for_words("not today");
+    viewer.wait_for_words("in frame 40");
+    viewer.key("w");
+    viewer.wait_for_frame(41);
+
+    viewer.forget_words();
+    course.save(&SOLUTION.replace("None => local_position,", "None => local_position +,"));
+    viewer.wait_for_words("your code does not compile");
+    viewer.key("w");
+    viewer.wait_for_frame(42);
+
+    viewer.forget_words();
+    let looping = "None => loop { std::hint::spin_loop() },";
+    course.save(&SOLUTION.replace("None => local_position,", looping));
+    viewer.wait_for_words("look for a loop that never ends");
+    viewer.key("w");
+    viewer.wait_for_frame(43);
+
+    viewer.forget_words();
+    course.save(&SOLUTION.replace("None => local_position,", "None => local_position * f32::NAN,"));
+    viewer.wait_for_words("11 of 15 points");
+    viewer.key("w");
+    viewer.wait_for_frame(44);
+
+    viewer.forget_words();
+    let printing = "None => { println!(\"here I am\"); local_position }";
+    course.save(&SOLUTION.replace("None => local_position,", printing));
+    viewer.wait_for_words("here I am");
+    viewer.wait_for_words("15 of 15 points");
+    viewer.close();
+}
