@@ -57,7 +57,11 @@ fn main() -> ExitCode {
     let mut theirs = Vec::new();
     for round in 0..rounds + 2 {
         let time = milliseconds(|| draw_lines(&cases[0].scene, &mut pixmap));
-        let mut keep = |times: &mut Vec<f64>, time| if round >= 2 || rounds == 1 { times.push(time) };
+        let keep = |times: &mut Vec<f64>, time| {
+            if round >= 2 || rounds == 1 {
+                times.push(time)
+            }
+        };
         keep(&mut theirs, time);
         for case in &mut cases {
             let time = milliseconds(|| painter.draw(&case.scene, &mut case.canvas));

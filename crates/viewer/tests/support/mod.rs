@@ -45,13 +45,17 @@ pub fn everything(stage: &Stage, frame: usize, style: Style, size: (usize, usize
     panel.begin(Corner::TopLeft);
     panel.add(Line::Heading, "running.bvh");
     panel.add(Line::Text, format_args!("frame {frame} / {}", stage.frame_count()));
-    panel.add(Line::Trouble, "part 1 takes 42 angles of this frame, which holds 69: each joint takes its own three");
+    panel.add(
+        Line::Trouble,
+        "part 1 takes 42 angles of this frame, which holds 69: each joint takes its own three",
+    );
     for key in ["w", "Space", "Home", "f", "g", "a", "h", "t", "Esc"] {
         panel.add(Line::Key(key), "does something to the figure or to what is to be seen of it");
     }
     let legend = scene.panels.add();
     legend.begin(Corner::BottomLeft);
-    for tint in [Tint::Joint, Tint::Off(Off::Little), Tint::Off(Off::Some), Tint::Off(Off::Much), Tint::Ghost] {
+    for tint in [Tint::Joint, Tint::Off(Off::Little), Tint::Off(Off::Some), Tint::Off(Off::Much), Tint::Ghost]
+    {
         legend.add(Line::Legend(tint), "what this colour stands for");
     }
     scene

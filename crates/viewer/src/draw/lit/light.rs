@@ -8,6 +8,7 @@ use glam::{Vec3, Vec4};
 use super::SUN;
 use super::capsule::{Capsule, Neighbours};
 use super::shadow::GroundShadow;
+use super::shape::Body;
 use crate::camera::View;
 
 /// The net's crossings lie about this many pixels apart in the picture…
@@ -52,12 +53,23 @@ pub(super) struct Net {
 }
 
 impl LightMaps {
-    /// Lights `capsules` anew.
-    pub fn shine(&mut self, capsules: &[Capsule], near: &Neighbours, ground: &GroundShadow, lens: &View) {
+    /// Lights those of `capsules` anew that may be seen in a picture of `size`.
+    pub fn shine(
+        &mut self,
+        capsules: &[Capsule],
+        near: &Neighbours,
+        ground: &GroundShadow,
+        lens: &View,
+        size: (usize, usize),
+    ) {
         self.light.clear();
         self.nets.clear();
         for (index, capsule) in capsules.iter().enumerate() {
             let net = Net::new(capsule, self.light.len(), lens);
+            self.nets.push(net);
+            if !Body::new(capsule, lens).is_some_and(|body| body.is_inside(size)) {
+                continue;
+            }
             let around =
                 Surroundings { capsules, shading: near.shading(index), hiding: near.hiding(index), ground };
             for row in 0..net.around {
@@ -69,7 +81,6 @@ impl LightMaps {
             }
             // The first row once more, so that a look-up needs no end.
             self.light.extend_from_within(net.first..net.first + net.along);
-            self.nets.push(net);
         }
     }
 

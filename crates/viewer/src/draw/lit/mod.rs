@@ -7,7 +7,9 @@
 mod capsule;
 mod light;
 mod raster;
+mod shade;
 mod shadow;
+mod shape;
 
 use glam::Vec3;
 
@@ -89,7 +91,7 @@ impl Bodies {
         self.neighbours.find(&self.capsules);
         self.ground.cast(&self.capsules, floor, &lens, canvas.size());
         self.ground.darken(&lens, reach * unit.per_world, canvas);
-        self.light.shine(&self.capsules, &self.neighbours, &self.ground, &lens);
+        self.light.shine(&self.capsules, &self.neighbours, &self.ground, &lens, canvas.size());
         self.raster.draw(&self.capsules, &self.light, &lens, unit.per_world, canvas);
     }
 }
