@@ -15,14 +15,13 @@ fn drawing_the_next_frame_allocates_nothing() {
     let frames = [300, 301, 330, 40, 600];
     for style in [Style::Lit, Style::Lines] {
         let mut scenes = frames.map(|frame| support::everything(&stage, frame, style, SIZE));
-        // The same words in all of them: letters that are new have to be drawn once.
+        // The same words in all of them: a letter that is new has to be drawn once. All else may change.
         let first = scenes[0].panels.clone();
         scenes.iter_mut().for_each(|scene| scene.panels = first.clone());
         let (mut painter, mut canvas) = (Painter::new(), Canvas::new(SIZE.0, SIZE.1));
-        // How much is seen of a body decides how much is kept for it: each frame once, and then all of them again.
-        for scene in &scenes {
-            painter.draw(scene, &mut canvas);
-        }
+        scenes[1].camera.azimuth += 2.0;
+        scenes[2].camera.distance *= 0.3;
+        painter.draw(&scenes[0], &mut canvas);
         for (frame, scene) in frames.iter().zip(&scenes) {
             let counted = allocation_counter::measure(|| painter.draw(scene, &mut canvas));
             assert_eq!(counted.count_total, 0, "{style:?}, frame {frame}: {counted:?}");

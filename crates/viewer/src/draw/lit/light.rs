@@ -64,6 +64,8 @@ impl LightMaps {
     ) {
         self.light.clear();
         self.nets.clear();
+        // As much as any view of them needs: the next picture takes no new memory.
+        self.light.reserve(capsules.len() * (ALONG.1 * (AROUND.1 + 1.0)) as usize);
         for (index, capsule) in capsules.iter().enumerate() {
             let net = Net::new(capsule, self.light.len(), lens);
             self.nets.push(net);

@@ -118,6 +118,9 @@ fn cover_of(bone: &Bone, place: Vec3, to_eye: Vec3) -> f32 {
     let axis = if length > 0.0 { along / length } else { Vec3::ZERO };
     let at = from.dot(axis);
     let radius = bone.radius;
+    if !(length.is_finite() && radius.is_finite()) {
+        return 0.0;
+    }
     // Joints at the ends of a bone are inside even when rounding says otherwise.
     let inside = from.distance(axis * at.clamp(0.0, length)) < radius;
     if !inside {

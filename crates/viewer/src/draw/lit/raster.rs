@@ -12,6 +12,9 @@ use crate::canvas::{Canvas, Color};
 const MOST_APART: f32 = 8.0;
 const ON_RADIUS: f32 = 10.0;
 
+/// Room for silhouettes, in widths and heights of the picture: more than a body has.
+const ROOM_FOR_EDGES: usize = 16;
+
 /// Balls of two bones at one joint may be the same: the second must be nearer by more than rounding to be seen.
 const CLEARLY: f32 = 1.0 - 1e-4;
 
@@ -66,7 +69,11 @@ impl Raster {
         // Near ones first: what they hide need not be lit.
         self.order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
 
+        let (width, height) = canvas.size();
+        self.scratch.run.clear();
+        self.scratch.run.reserve(width);
         self.scratch.edges.clear();
+        self.scratch.edges.reserve(ROOM_FOR_EDGES * (width + height));
         for &(depth, index) in &self.order {
             let capsule = &capsules[index];
             if let Some(body) = Body::new(capsule, lens) {

@@ -64,7 +64,7 @@ impl Shader<'_> {
     fn color(&self, body: &Body, hit: &Hit, rays: &Rays, x: usize) -> Vec3 {
         let capsule = body.capsule;
         let ray = rays.start + rays.step * x as f32;
-        let on_axis = hit.along.clamp(body.start, body.end);
+        let on_axis = hit.along.max(body.start).min(body.end);
         let normal = (body.to_eye + ray * hit.depth - capsule.axis * on_axis).normalize_or_zero();
         // The net lies on the whole capsule, whatever is cut off.
         let light = self.light.at(&self.net, hit.along - body.own_start, normal);

@@ -227,5 +227,5 @@ fn share(within: f32, radius: f32, pixel: f32) -> f32 {
     }
     let distance = (radius * radius - within).max(0.0).sqrt();
     // What is thinner than a pixel never covers all of it.
-    ((radius - distance) / pixel + 0.5).clamp(0.0, (2.0 * radius / pixel).min(1.0))
+    ((radius - distance) / pixel + 0.5).min(2.0 * radius / pixel).clamp(0.0, 1.0)
 }
