@@ -147,3 +147,111 @@ fn longest(joints: &[Joint]) -> Vec<f32> {
     }
     longest
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// A skeleton of joints by name, parent and offset, and the radii of its bones by name.
+    fn girths(joints: &[(&str, Option<usize>, Vec3)]) -> impl Fn(&str) -> f32 + use<> {
+        let mut skeleton = Skeleton::new();
+        let mut ids = Vec::new();
+        for (name, parent, offset) in joints {
+            ids.push(skeleton.add_joint(parent.map(|parent| ids[parent]), *name, *offset, []).unwrap());
+        }
+        let radii = radii(&skeleton, skeleton.extent());
+        let names: Vec<String> = joints.iter().map(|(name, ..)| (*name).to_owned()).collect();
+        move |name| radii[names.iter().position(|known| known == name).unwrap()]
+    }
+
+    fn person(unit: f32) -> impl Fn(&str) -> f32 + use<> {
+        let joint = |name, parent, x: f32, y: f32| (name, parent, Vec3::new(x, y, 0.0) * unit);
+        girths(&[
+            joint("Hips", None, 0.0, 0.95),
+            joint("LeftUpLeg", Some(0), 0.1, -0.05),
+            joint("LeftLeg", Some(1), 0.0, -0.43),
+            joint("LeftFoot", Some(2), 0.0, -0.43),
+            joint("Spine", Some(0), 0.0, 0.12),
+            joint("Neck", Some(4), 0.0, 0.4),
+            joint("Head", Some(5), 0.0, 0.1),
+            joint("HeadTop", Some(6), 0.0, 0.2),
+            joint("Eye", Some(6), 0.03, 0.08),
+            joint("LeftShoulder", Some(4), 0.05, 0.33),
+            joint("LeftArm", Some(9), 0.15, 0.0),
+            joint("LeftForeArm", Some(10), 0.3, 0.0),
+            joint("LeftHand", Some(11), 0.26, 0.0),
+            joint("LeftHandIndex1", Some(12), 0.1, 0.0),
+            joint("LeftHandIndex2", Some(13), 0.04, 0.0),
+        ])
+    }
+
+    #[test]
+    fn a_body_is_thickest_in_the_middle_and_thinnest_at_its_fingers() {
+        let person = person(1.0);
+        // Each name is the joint at the end of a bone: `LeftLeg` ends the thigh.
+        let order =
+            ["Spine", "LeftLeg", "LeftFoot", "LeftForeArm", "LeftHand", "LeftHandIndex1", "LeftHandIndex2"];
+        assert!(order.map(&person).is_sorted_by(|a, b| a > b), "{:?}", order.map(&person));
+        assert!(person("HeadTop") > 1.3 * person("Head"), "the head is thicker than the neck");
+        assert!(person("Eye") < 0.5 * person("HeadTop"), "what hangs on a head is no head");
+    }
+
+    #[test]
+    fn thickness_follows_the_unit() {
+        for unit in [1e-12f32, 0.01, 100.0, 1e12] {
+            let (plain, scaled) = (person(1.0), person(unit));
+            for name in ["Spine", "LeftForeArm", "LeftHandIndex2", "Eye"] {
+                assert!((scaled(name) / (plain(name) * unit) - 1.0).abs() < 1e-3, "{name} at {unit}");
+            }
+        }
+    }
+
+    #[test]
+    fn bones_without_known_names_are_slender() {
+        let chain = girths(&[("base", None, Vec3::ZERO), ("tip", Some(0), Vec3::X * 2.0)]);
+        assert!(chain("tip") > 0.01 && chain("tip") < 0.4);
+        let hand = girths(&[
+            ("LeftHand", None, Vec3::ZERO),
+            ("LeftHandIndex1", Some(0), Vec3::new(0.09, 0.0, 0.02)),
+            ("LeftHandIndex2", Some(1), Vec3::X * 0.04),
+            ("LeftHandPinky1", Some(0), Vec3::new(0.08, 0.0, -0.03)),
+            ("LeftHandPinky2", Some(3), Vec3::X * 0.03),
+        ]);
+        let apart = 0.05;
+        assert!(hand("LeftHandIndex1") + hand("LeftHandPinky1") < 0.5 * apart, "a hand is no blot");
+        assert!(hand("LeftHandIndex2") < 0.04 / 3.0);
+    }
+
+    #[test]
+    fn bones_without_a_length_have_a_body_too() {
+        let dog = girths(&[
+            ("root", None, Vec3::ZERO),
+            ("LHipJoint", Some(0), Vec3::ZERO),
+            ("LThigh", Some(1), Vec3::new(0.1, 0.0, 0.0)),
+            ("LKnee", Some(2), Vec3::Y * -0.3),
+            ("Spine", Some(0), Vec3::Z * 0.4),
+            ("tail", Some(0), Vec3::ZERO),
+        ]);
+        for name in ["root", "LHipJoint", "LThigh", "tail"] {
+            assert!(dog(name) > 0.0 && dog(name).is_finite(), "{name}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn every_radius_is_a_positive_number(raw in any::<[[f32; 3]; 6]>(), size in any::<f32>()) {
+            let names = ["Hips", "Spine", "LeftLeg", "x", "Head", "LeftHandIndex1"];
+            let mut skeleton = Skeleton::new();
+            let mut parent = None;
+            for (name, offset) in names.iter().zip(raw) {
+                parent = Some(skeleton.add_joint(parent, *name, Vec3::from(offset), []).unwrap());
+            }
+            let size = if size.is_normal() { size.abs() } else { 1.0 };
+            for radius in radii(&skeleton, size) {
+                prop_assert!(radius > 0.0 && radius.is_finite() && radius <= size.max(f32::MIN_POSITIVE), "{radius}");
+            }
+        }
+    }
+}

@@ -32,8 +32,11 @@ impl Color {
 
     /// This colour with `share` (0 to 1) of `other` in it.
     pub fn mix(self, other: Color, share: f32) -> Color {
-        // In 256ths; red and blue are calculated at once, 16 bits apart.
-        let share = (share.clamp(0.0, 1.0) * 256.0) as i32 as u32;
+        self.mix_256ths(other, (share.clamp(0.0, 1.0) * 256.0) as i32 as u32)
+    }
+
+    fn mix_256ths(self, other: Color, share: u32) -> Color {
+        // Red and blue are calculated at once, 16 bits apart.
         let rest = 256 - share;
         let red_blue = ((self.0 & 0xFF_00_FF) * rest + (other.0 & 0xFF_00_FF) * share) >> 8;
         let green = ((self.0 & 0x00_FF_00) * rest + (other.0 & 0x00_FF_00) * share) >> 8;
@@ -98,10 +101,11 @@ impl Canvas {
         opacity: f32,
     ) {
         let clip = |at: i32, length: usize| at.clamp(0, length as i32) as usize;
+        let share = (opacity.clamp(0.0, 1.0) * 256.0) as i32 as u32;
         let columns = clip(left, self.width)..clip(left.saturating_add(width.max(0)), self.width);
         for y in clip(top, self.height)..clip(top.saturating_add(height.max(0)), self.height) {
             for pixel in &mut self.pixels[y * self.width..][columns.clone()] {
-                *pixel = Color(*pixel).mix(color, opacity).0;
+                *pixel = Color(*pixel).mix_256ths(color, share).0;
             }
         }
     }

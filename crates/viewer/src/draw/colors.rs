@@ -38,9 +38,9 @@ pub(super) fn square_of(off: Off) -> (Color, Color, f32) {
     let fill = color_of(Tint::Off(off));
     match off {
         Off::Right => (fill, SQUARE_BORDER, 1.0),
-        Off::Little => (fill, Color(0x4A_3C_00), 1.15),
-        Off::Some => (fill, Color(0x50_08_00), 1.35),
-        Off::Much => (fill, LIGHT_BORDER, 1.6),
+        Off::Little => (fill, Color(0x4A_3C_00), 1.2),
+        Off::Some => (fill, Color(0x50_08_00), 1.45),
+        Off::Much => (fill, LIGHT_BORDER, 1.75),
     }
 }
 

@@ -53,6 +53,14 @@ impl Strokes {
     /// Draws all lines and squares of `scene`; `scale` is how large they are.
     pub fn draw(&mut self, scene: &Scene, view: &View, scale: f32, canvas: &mut Canvas) {
         self.list.clear();
+        // As many as the scene has when all of it is seen: how many there are changes from picture to picture.
+        let pieces = scene.trails.iter().map(|trail| trail.points.len());
+        let parts =
+            |figure: &Figure| 2 * figure.bones.len() + 3 * figure.axes.len() + 2 * figure.joints.len();
+        let most = pieces.chain(scene.figures.iter().map(parts)).sum::<usize>() + 3 * scene.marks.len();
+        self.list.reserve(most);
+        self.order.clear();
+        self.order.reserve(most);
         let mut pencil = Pencil { view, scale, axis_length: scene.axis_length, list: &mut self.list };
         for trail in &scene.trails {
             pencil.trail(trail);
@@ -77,7 +85,6 @@ impl Strokes {
     }
 
     fn draw_list(&mut self, canvas: &mut Canvas) {
-        self.order.clear();
         self.order.extend(self.list.iter().enumerate().map(|(index, stroke)| (stroke.nearness(), index)));
         self.order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut before = None;
@@ -162,7 +169,7 @@ impl Pencil<'_> {
     fn all_axes(&mut self, figure: &Figure, covers: &[f32]) {
         // Axes stand in the order of their joints.
         let mut joints = figure.joints.iter().zip(covers);
-        for axes in &figure.axes {
+        for axes in figure.axes.iter().filter(|axes| axes.origin.is_finite()) {
             let joint = joints.by_ref().find(|(joint, _)| joint.place == axes.origin);
             self.axes(axes, figure.look, joint.map_or(0.0, |(_, cover)| *cover));
         }

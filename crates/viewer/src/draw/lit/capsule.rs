@@ -39,7 +39,7 @@ impl Capsule {
         pale: bool,
     ) -> Option<Capsule> {
         let radius = bone.radius * per_world;
-        let near = |place: Vec3| place.abs().max_element() < FARTHEST;
+        let near = |place: Vec3| place.is_finite() && place.abs().max_element() < FARTHEST;
         if !(near(from) && near(to) && radius > 1e-6 && radius < FARTHEST) {
             return None;
         }
@@ -122,6 +122,11 @@ impl Neighbours {
         self.shading.clear();
         self.hiding.clear();
         self.ends.clear();
+        if capsules.len() <= MOST_MUTUAL {
+            // As many as there are in any pose.
+            self.shading.reserve(capsules.len() * capsules.len());
+            self.hiding.reserve(capsules.len() * capsules.len());
+        }
         for capsule in capsules {
             if capsules.len() <= MOST_MUTUAL {
                 self.add(capsule, capsules);

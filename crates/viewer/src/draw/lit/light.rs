@@ -2,16 +2,18 @@
 //! seen past the other bodies. It is calculated at the crossings of a net over each capsule.
 
 use std::f32::consts::TAU;
+use std::ops::Range;
 
 use glam::{Vec3, Vec4};
 
 use super::SUN;
 use super::capsule::{Capsule, Neighbours};
 use super::shadow::GroundShadow;
+use super::shape::Body;
 use crate::camera::View;
 
 /// The net's crossings lie about this many pixels apart in the picture…
-const PIXELS_APART: f32 = 6.0;
+const PIXELS_APART: f32 = 7.0;
 /// … but there are never more or fewer of them than this, along a capsule and around it.
 const ALONG: (f32, f32) = (5.0, 20.0);
 const AROUND: (f32, f32) = (8.0, 24.0);
@@ -52,24 +54,39 @@ pub(super) struct Net {
 }
 
 impl LightMaps {
-    /// Lights `capsules` anew.
-    pub fn shine(&mut self, capsules: &[Capsule], near: &Neighbours, ground: &GroundShadow, lens: &View) {
+    /// Lights those of `capsules` anew that may be seen in a picture of `size`.
+    pub fn shine(
+        &mut self,
+        capsules: &[Capsule],
+        near: &Neighbours,
+        ground: &GroundShadow,
+        lens: &View,
+        size: (usize, usize),
+    ) {
         self.light.clear();
         self.nets.clear();
+        // As much as any view of them needs: the next picture takes no new memory.
+        self.light.reserve(capsules.len() * (ALONG.1 * (AROUND.1 + 1.0)) as usize);
         for (index, capsule) in capsules.iter().enumerate() {
             let net = Net::new(capsule, self.light.len(), lens);
+            self.nets.push(net);
+            if !Body::new(capsule, lens).is_some_and(|body| body.is_inside(size)) {
+                continue;
+            }
             let around =
                 Surroundings { capsules, shading: near.shading(index), hiding: near.hiding(index), ground };
             for row in 0..net.around {
                 let outwards = net.outwards(4.0 * row as f32 / net.around as f32);
+                let hidden = net.hidden_columns(capsule, outwards, lens);
                 for column in 0..net.along {
                     let (point, normal) = net.surface(capsule, column, outwards);
-                    self.light.push(around.light(point, normal));
+                    let light =
+                        if hidden.contains(&column) { Vec4::ZERO } else { around.light(point, normal) };
+                    self.light.push(light);
                 }
             }
             // The first row once more, so that a look-up needs no end.
             self.light.extend_from_within(net.first..net.first + net.along);
-            self.nets.push(net);
         }
     }
 
@@ -123,6 +140,18 @@ impl Net {
             _ => (turned - 3.0, turned - 4.0),
         };
         (self.aside[0] * one + self.aside[1] * other).normalize_or_zero()
+    }
+
+    /// The columns of a row that nobody looks up, because that side of the capsule is turned away from the camera. The
+    /// ends of the capsule, which are turned to all sides, are not among them.
+    fn hidden_columns(&self, capsule: &Capsule, outwards: Vec3, lens: &View) -> Range<usize> {
+        let to_eye = lens.eye - capsule.from;
+        let away = (to_eye - capsule.axis * to_eye.dot(capsule.axis)).normalize_or_zero();
+        // Rows are looked up as long as one beside them is seen.
+        let turned_away = outwards.dot(away) < -8.5 / self.around as f32;
+        let first = (capsule.radius * self.per_length).ceil() as usize + 1;
+        let end = ((capsule.radius + capsule.length) * self.per_length).floor() as usize;
+        if turned_away { first..end } else { 0..0 }
     }
 
     /// The point of a capsule's surface at a column of the net, and the normal there.

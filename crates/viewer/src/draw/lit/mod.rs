@@ -7,7 +7,9 @@
 mod capsule;
 mod light;
 mod raster;
+mod shade;
 mod shadow;
+mod shape;
 
 use glam::Vec3;
 
@@ -89,7 +91,7 @@ impl Bodies {
         self.neighbours.find(&self.capsules);
         self.ground.cast(&self.capsules, floor, &lens, canvas.size());
         self.ground.darken(&lens, reach * unit.per_world, canvas);
-        self.light.shine(&self.capsules, &self.neighbours, &self.ground, &lens);
+        self.light.shine(&self.capsules, &self.neighbours, &self.ground, &lens, canvas.size());
         self.raster.draw(&self.capsules, &self.light, &lens, unit.per_world, canvas);
     }
 }
@@ -116,6 +118,9 @@ fn cover_of(bone: &Bone, place: Vec3, to_eye: Vec3) -> f32 {
     let axis = if length > 0.0 { along / length } else { Vec3::ZERO };
     let at = from.dot(axis);
     let radius = bone.radius;
+    if !(length.is_finite() && radius.is_finite()) {
+        return 0.0;
+    }
     // Joints at the ends of a bone are inside even when rounding says otherwise.
     let inside = from.distance(axis * at.clamp(0.0, length)) < radius;
     if !inside {

@@ -55,6 +55,7 @@ impl GroundShadow {
             ((cells.x as usize).min(MOST_CELLS + 3), (cells.y as usize).min(MOST_CELLS + 3));
         for map in [&mut self.sun, &mut self.light] {
             map.clear();
+            map.reserve((MOST_CELLS + 3) * (MOST_CELLS + 3));
             map.resize(self.columns * self.rows, 1.0);
         }
         for capsule in capsules {

@@ -1,6 +1,10 @@
 //! What the painter promises of any scene.
 
-use std::sync::{LazyLock, Mutex};
+mod look;
+mod panels;
+mod shadow;
+
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 use glam::Quat;
 use proptest::prelude::*;
@@ -8,13 +12,14 @@ use proptest::prelude::*;
 use super::*;
 use crate::camera::Camera;
 use crate::canvas::Ground;
-use crate::scene::{Axes, Bone, Corner, Dot, Line};
+use crate::scene::{Axes, Bone, Corner, Dot, Line, ScaleBar, Timeline};
 use crate::scene::{Figure, Look, Mark, Side, Tint};
 
 /// Draws with one painter for all tests: reading the fonts takes longest.
 fn draw(scene: &Scene, canvas: &mut Canvas) {
     static PAINTER: LazyLock<Mutex<Painter>> = LazyLock::new(Mutex::default);
-    PAINTER.lock().unwrap().draw(scene, canvas);
+    // A failed test must not make all others fail.
+    PAINTER.lock().unwrap_or_else(PoisonError::into_inner).draw(scene, canvas);
 }
 
 fn scene(figures: Vec<Figure>) -> Scene {
@@ -62,7 +67,9 @@ proptest! {
     }
 
     #[test]
-    fn no_numbers_make_it_panic(raw in any::<[f32; 13]>(), size in (1usize..60, 1usize..60)) {
+    fn no_numbers_make_it_panic(
+        raw in any::<[f32; 16]>(), size in (1usize..60, 1usize..60), lit in any::<bool>(), odd in any::<bool>(),
+    ) {
         let [a, b] = [Vec3::new(raw[0], raw[1], raw[2]), Vec3::new(raw[3], raw[4], raw[5])];
         let rotation = Quat::from_xyzw(raw[6], raw[7], raw[8], raw[9]);
         let mut scene = scene(vec![Figure {
@@ -70,12 +77,20 @@ proptest! {
             bones: vec![
                 Bone { from: a, to: b, side: Side::Left, radius: raw[10], joints: (0, 1) },
                 Bone { from: b, to: Vec3::ZERO, side: Side::Middle, radius: 0.2, joints: (1, 2) },
+                Bone { from: Vec3::ONE, to: Vec3::ONE, side: Side::Right, radius: raw[13], joints: (9, 9) },
             ],
             joints: vec![a.into(), b.into()],
             axes: vec![Axes { origin: a, rotation, lettered: true }],
         }]);
+        let ghost = Figure { look: Look::Echo(raw[12]), ..scene.figures[0].clone() };
+        *scene.figures.add() = ghost;
+        scene.style = if lit { Style::Lit } else { Style::Lines };
         scene.axis_length = raw[10];
+        scene.text_scale = raw[14];
         scene.marks.push(Mark { from: Some(a), to: b, text: "x".into(), text_offset: (-3, 2), tint: Tint::Ink });
+        scene.trails.add().points.extend([a, b, Vec3::ZERO, Vec3::X, a]);
+        scene.timeline = Some(Timeline { frame: 7, count: 5, range: (9, 1), playing: lit });
+        scene.scale_bar = Some(ScaleBar { length: raw[13], label: "long".into() });
         let panel = scene.panels.add();
         panel.begin(Corner::BottomRight);
         panel.add(Line::Heading, "long ".repeat(20));
@@ -84,6 +99,9 @@ proptest! {
         draw(&scene, &mut canvas);
         scene.camera.distance = raw[11];
         scene.camera.target.y = raw[12];
+        if odd {
+            (scene.size, scene.ground.height) = (raw[14], raw[15]);
+        }
         draw(&scene, &mut canvas);
     }
 }

@@ -1,0 +1,52 @@
+//! Drawing the next picture takes no new memory.
+#![allow(clippy::unwrap_used)]
+
+mod support;
+
+use viewer::canvas::Canvas;
+use viewer::draw::Painter;
+use viewer::scene::{Look, Style};
+
+const SIZE: (usize, usize) = (960, 540);
+
+#[test]
+fn drawing_the_next_frame_allocates_nothing() {
+    let stage = support::stage();
+    let frames = [300, 301, 330, 40, 600];
+    for style in [Style::Lit, Style::Lines] {
+        let mut scenes = frames.map(|frame| support::everything(&stage, frame, style, SIZE));
+        // The same words in all of them: a letter that is new has to be drawn once. All else may change.
+        let first = scenes[0].panels.clone();
+        scenes.iter_mut().for_each(|scene| scene.panels = first.clone());
+        let (mut painter, mut canvas) = (Painter::new(), Canvas::new(SIZE.0, SIZE.1));
+        scenes[1].camera.azimuth += 2.0;
+        scenes[2].camera.distance *= 0.3;
+        painter.draw(&scenes[0], &mut canvas);
+        for (frame, scene) in frames.iter().zip(&scenes) {
+            let counted = allocation_counter::measure(|| painter.draw(scene, &mut canvas));
+            assert_eq!(counted.count_total, 0, "{style:?}, frame {frame}: {counted:?}");
+        }
+    }
+}
+
+#[test]
+fn the_second_picture_of_a_frame_and_a_paler_one_allocate_nothing() {
+    let stage = support::stage();
+    let mut scene = support::everything(&stage, 300, Style::Lit, SIZE);
+    let (mut painter, mut canvas) = (Painter::new(), Canvas::new(SIZE.0, SIZE.1));
+    painter.draw(&scene, &mut canvas);
+    let again = allocation_counter::measure(|| painter.draw(&scene, &mut canvas));
+    assert_eq!(again.count_total, 0, "{again:?}");
+    scene.figures.items_mut()[1].look = Look::Dimmed;
+    let paler = allocation_counter::measure(|| painter.draw(&scene, &mut canvas));
+    assert_eq!(paler.count_total, 0, "{paler:?}");
+}
+
+#[test]
+fn the_counter_sees_what_the_first_picture_takes() {
+    let stage = support::stage();
+    let scene = support::everything(&stage, 300, Style::Lit, SIZE);
+    let (mut painter, mut canvas) = (Painter::new(), Canvas::new(SIZE.0, SIZE.1));
+    let first = allocation_counter::measure(|| painter.draw(&scene, &mut canvas));
+    assert!(first.count_total > 10, "{first:?}");
+}
