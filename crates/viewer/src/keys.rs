@@ -115,7 +115,7 @@ pub const ROWS: &[Row] = &[
     ),
     row(
         "[ ]",
-        "play from this frame on, up to this frame (again: all)",
+        "play from here, up to here (again: all)",
         &[binding(Key::LeftBracket, Action::RangeStart), binding(Key::RightBracket, Action::RangeEnd)],
     ),
     row("o", "begin again at the end, or stop there", &[binding(Key::O, Action::Loop)]),
@@ -123,7 +123,7 @@ pub const ROWS: &[Row] = &[
     row("c", "move along with the figure, or stay", &[binding(Key::C, Action::Follow)]),
     row(
         "Tab",
-        "look at the next joint (with Shift: the one before)",
+        "look at the next joint (Shift: the last)",
         &[
             Binding { shift: Some(false), repeats: true, ..binding(Key::Tab, Action::NextJoint) },
             Binding { shift: Some(true), repeats: true, ..binding(Key::Tab, Action::PreviousJoint) },

@@ -91,7 +91,7 @@ mod png_file {
         let folder = tempfile::Builder::new().prefix("with blank ").tempdir().unwrap();
         let path = folder.path().join("picture.png");
         let arguments =
-            ["--solution", "--png", path.to_str().unwrap(), "--frame", "300", "--size", "800x600"];
+            ["--solution", "--lines", "--png", path.to_str().unwrap(), "--frame", "300", "--size", "800x600"];
         let output = view(&arguments);
         assert!(output.status.success(), "{}", stderr(&output));
         let (width, height, pixels) = read_png(&path);

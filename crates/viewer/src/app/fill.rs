@@ -94,8 +94,7 @@ impl App {
                 local_positions: &memory.frame.local_positions,
                 worst,
                 outside: solid.map_or(0, |pose| outside(stage.places(pose), &scene.camera, size)),
-                roomy: size.0 as f32 >= 800.0 * settings.text_scale
-                    && size.1 as f32 >= 450.0 * settings.text_scale,
+                size: (size.0 as f32 / settings.text_scale, size.1 as f32 / settings.text_scale),
             };
             texts::panels(&facts, &mut scene.panels);
         } else {

@@ -38,8 +38,15 @@ pub struct Facts<'a> {
     pub worst: Off,
     /// How many joints the picture does not show.
     pub outside: usize,
-    /// Whether the picture is large enough for a legend.
-    pub roomy: bool,
+    /// Width and height of the picture, in pixels of an ordinary display.
+    pub size: (f32, f32),
+}
+
+impl Facts<'_> {
+    /// Whether the picture has at least this much room.
+    fn has_room(&self, width: f32, height: f32) -> bool {
+        self.size.0 >= width && self.size.1 >= height
+    }
 }
 
 /// All texts, each in its corner.
@@ -47,18 +54,19 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) {
     panels.clear();
     let settings = &facts.app.settings;
     state::write(facts, begin(panels, Corner::TopLeft));
-    if facts.app.selected().is_some() {
+    if settings.help {
+        return help(facts, panels);
+    }
+    // A figure that is covered by words is of no use.
+    let room = facts.has_room(420.0, 300.0);
+    if facts.app.selected().is_some() && room {
         joint::write(facts, begin(panels, Corner::TopRight));
     }
-    if settings.help {
-        help(begin(panels, Corner::TopLeft));
-        return;
-    }
-    if settings.points {
+    if settings.points && room {
         points::write(facts, begin(panels, Corner::TopRight));
     }
     begin(panels, Corner::BottomRight).add(Line::Key("h"), "help");
-    if facts.roomy {
+    if facts.has_room(800.0, 450.0) {
         legend::write(facts, begin(panels, Corner::BottomLeft));
     }
 }
@@ -69,8 +77,14 @@ fn begin(panels: &mut Pool<Panel>, corner: Corner) -> &mut Panel {
     panel
 }
 
-fn help(panel: &mut Panel) {
-    keys::help().for_each(|(name, help)| panel.add(Line::Key(name), help));
+/// All keys, in two columns where one would be too high.
+fn help(facts: &Facts, panels: &mut Pool<Panel>) {
+    let count = keys::help().count();
+    let first = if facts.has_room(0.0, 700.0) { count } else { count.div_ceil(2) };
+    for (corner, from, to) in [(Corner::TopLeft, 0, first), (Corner::TopRight, first, count)] {
+        let panel = begin(panels, corner);
+        keys::help().take(to).skip(from).for_each(|(name, help)| panel.add(Line::Key(name), help));
+    }
 }
 
 /// A length in the words of the scale bar.

@@ -52,7 +52,7 @@ fn edits() {
 
     viewer.forget_words();
     course.save(&SOLUTION.replace("None => local_position,", "None => local_position * f32::NAN,"));
-    viewer.wait_for_words("11 of 15 points");
+    viewer.wait_for_words("Forward kinematics: 14 of 15 points");
     viewer.key("w");
     viewer.wait_for_frame(44);
 
