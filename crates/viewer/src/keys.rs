@@ -123,7 +123,7 @@ pub const ROWS: &[Row] = &[
     row("c", "move along with the figure, or stay", &[binding(Key::C, Action::Follow)]),
     row(
         "Tab",
-        "look at the next joint (Shift: the last)",
+        "look at the next joint (Shift: back)",
         &[
             Binding { shift: Some(false), repeats: true, ..binding(Key::Tab, Action::NextJoint) },
             Binding { shift: Some(true), repeats: true, ..binding(Key::Tab, Action::PreviousJoint) },
