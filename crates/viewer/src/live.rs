@@ -3,11 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use exam::WorkerProcess;
+use exam::fk::{LocalAnswer, PosedFrame};
+
+use crate::answers::Answers;
 use crate::board::Board;
 use crate::stage::Stage;
-use crate::student::{News, Student};
-use crate::watch::{Change, Watcher};
-use crate::worker;
+use crate::student::{News, Standing, Student, Version};
+use crate::watch::{Baseline, Change, Watcher};
+use crate::worker::{self, Trouble};
 
 /// The student's functions, the files that are watched, and what the terminal is told.
 pub struct Live {
@@ -22,29 +26,39 @@ impl Live {
     ///
     /// Points, troubles and what the student's functions print go to the terminal.
     pub fn open(workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<PathBuf>) -> Live {
+        let folder = workspace.to_owned();
+        Live::open_with(workspace, stages, motions, move |version| worker::compile(&folder, version))
+    }
+
+    /// The same, with another way to build the exercise.
+    pub fn open_with(
+        workspace: &Path,
+        stages: Vec<Arc<Stage>>,
+        motions: Vec<PathBuf>,
+        build: impl FnMut(&Version) -> Result<WorkerProcess, Trouble> + Send + 'static,
+    ) -> Live {
         // What is saved from here on is noticed; what was saved before is what is built.
-        let watcher = Watcher::start(&workspace.join("exercises").join("fk").join("src"), &motions);
+        let baseline = Baseline::now(&workspace.join("exercises").join("fk").join("src"), &motions);
+        let mut terminal = Terminal::default();
+        let student = Student::start(stages, build, move |news| terminal.tell(news));
+        let rebuilder = student.rebuilder();
+        let at_once = move |change: &Change| {
+            if *change == Change::Exercise {
+                rebuilder.rebuild();
+            }
+        };
+        let watcher = Watcher::start(baseline, at_once);
         if let Some(note) = watcher.note() {
             eprintln!("{note}");
         }
-        let workspace = workspace.to_owned();
-        let mut terminal = Terminal::default();
-        let student = Student::start(
-            stages,
-            move |version| worker::compile(&workspace, version),
-            move |news| terminal.tell(news),
-        );
         Live { student, watcher, motions }
     }
 
-    /// Takes what has come, rebuilds what was saved, and gives the motions (from 0) whose files were saved: these are to
+    /// Takes what has come, and gives the motions (from 0) whose files were saved: these are to
     /// be read again and handed to [`replace_stage`](Live::replace_stage). `shown` is the frame that is shown of each
     /// motion. Never waits; to be called for every picture.
     pub fn update(&mut self, shown: &[usize]) -> Vec<usize> {
         let changes: Vec<Change> = self.watcher.changes().collect();
-        if changes.contains(&Change::Exercise) {
-            self.student.rebuild();
-        }
         self.student.update(shown);
         let is_saved = |path: &PathBuf| changes.contains(&Change::Motion(path.clone()));
         let motions = self.motions.iter().enumerate();
@@ -56,6 +70,11 @@ impl Live {
         self.student.replace_stage(motion, stage);
     }
 
+    /// What is known of them on motion `motion` (from 0).
+    pub fn of(&self, motion: usize) -> OfMotion<'_> {
+        OfMotion { student: &self.student, motion }
+    }
+
     /// The student's functions.
     pub fn student(&self) -> &Student {
         &self.student
@@ -64,6 +83,26 @@ impl Live {
     /// Asks for the local rotations of a frame: see [`Student::locals`].
     pub fn student_mut(&mut self) -> &mut Student {
         &mut self.student
+    }
+}
+
+/// What is known of the student's functions on one motion.
+pub struct OfMotion<'a> {
+    student: &'a Student,
+    motion: usize,
+}
+
+impl Answers for OfMotion<'_> {
+    fn standing(&self, frame: usize) -> Standing {
+        self.student.standing(self.motion, frame)
+    }
+
+    fn posed(&self, frame: usize) -> Option<&PosedFrame> {
+        self.student.pose(self.motion, frame)
+    }
+
+    fn locals(&self, frame: usize) -> Option<&[LocalAnswer]> {
+        self.student.known_locals(self.motion, frame)
     }
 }
 

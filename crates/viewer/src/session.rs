@@ -2,17 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use exam::fk::{LocalAnswer, PosedFrame};
-
-use crate::answers::Answers;
 use crate::app::{App, Shown};
 use crate::gallery::Gallery;
 use crate::input::Gesture;
-use crate::live::Live;
+use crate::live::{Live, OfMotion};
 use crate::screen::Screen;
 use crate::source::Source;
-use crate::student::{Standing, Student};
-use crate::watch::{Change, Watcher};
+use crate::watch::{Baseline, Change, Watcher};
 
 /// Motions that are shown, and the functions that move them. Whatever of it is saved anew is shown anew.
 pub struct Session {
@@ -40,7 +36,7 @@ impl Session {
                 let stages = gallery.apps().iter().map(|app| app.stage().clone()).collect();
                 Functions::Student(Box::new(Live::open(workspace, stages, files)))
             }
-            None => Functions::Reference(Watcher::of_motions(&files)),
+            None => Functions::Reference(Watcher::start(Baseline::of_motions(&files), |_| {})),
         };
         Session { gallery, sources, functions }
     }
@@ -118,34 +114,12 @@ impl Functions {
     /// The student's answers for each of `count` motions; none when the reference's functions are shown.
     fn answers(&self, count: usize) -> Vec<OfMotion<'_>> {
         match self {
-            Functions::Student(live) => {
-                (0..count).map(|motion| OfMotion { student: live.student(), motion }).collect()
-            }
+            Functions::Student(live) => (0..count).map(|motion| live.of(motion)).collect(),
             Functions::Reference(_) => Vec::new(),
         }
     }
 }
 
-/// The student's answers for one motion.
-struct OfMotion<'a> {
-    student: &'a Student,
-    motion: usize,
-}
-
 fn shown<'a>(answers: &'a [OfMotion], motion: usize) -> Shown<'a> {
     answers.get(motion).map_or(Shown::Reference, |answers| Shown::Student(answers))
-}
-
-impl Answers for OfMotion<'_> {
-    fn standing(&self, frame: usize) -> Standing {
-        self.student.standing(self.motion, frame)
-    }
-
-    fn posed(&self, frame: usize) -> Option<&PosedFrame> {
-        self.student.pose(self.motion, frame)
-    }
-
-    fn locals(&self, frame: usize) -> Option<&[LocalAnswer]> {
-        self.student.known_locals(self.motion, frame)
-    }
 }

@@ -34,15 +34,15 @@ const CLEARLY: f32 = 1.5;
 
 /// Finds out which way is up: from the feet to the root and to the head, over many poses. Where no joint is called a foot,
 /// or the figure does not clearly stand, it is Y.
-pub struct Standing {
+pub struct Stance {
     feet: Vec<usize>,
     tops: Vec<usize>,
     sum: Vec3,
 }
 
-impl Standing {
+impl Stance {
     /// For a skeleton with these joints.
-    pub fn new(joints: &[Joint]) -> Standing {
+    pub fn new(joints: &[Joint]) -> Stance {
         let named = |words: &'static [&'static str]| {
             let fits = move |joint: &&Joint| {
                 let name = joint.name.to_lowercase();
@@ -53,7 +53,7 @@ impl Standing {
         let mut tops = named(&["head"]);
         tops.truncate(1);
         tops.extend(joints.first().map(|root| root.id.0));
-        Standing { feet: named(&["foot", "toe", "ankle"]), tops, sum: Vec3::ZERO }
+        Stance { feet: named(&["foot", "toe", "ankle"]), tops, sum: Vec3::ZERO }
     }
 
     /// Looks at a pose of that skeleton.
@@ -97,9 +97,9 @@ mod tests {
         skeleton.add_joint(Some(root), names[1], -from_foot_to_head, []).unwrap();
         let places = skeleton.rest_positions();
         let transform = |position| skeleton::Transform { position, ..skeleton::Transform::IDENTITY };
-        let mut standing = Standing::new(skeleton.joints());
-        standing.look(&Pose::from(places.into_iter().map(transform).collect::<Vec<_>>()));
-        standing.up()
+        let mut stance = Stance::new(skeleton.joints());
+        stance.look(&Pose::from(places.into_iter().map(transform).collect::<Vec<_>>()));
+        stance.up()
     }
 
     #[test]

@@ -43,6 +43,17 @@ pub fn compile(folder: &Path, version: &Version) -> Result<WorkerProcess, Troubl
     run(cargo_build(folder), version)
 }
 
+/// The same, with `target` as the target folder: two copies of the workspace cannot share one.
+///
+/// # Errors
+///
+/// As for [`compile`].
+pub fn compile_into(target: &Path, folder: &Path, version: &Version) -> Result<WorkerProcess, Trouble> {
+    let mut command = cargo_build(folder);
+    command.arg("--target-dir").arg(target);
+    run(command, version)
+}
+
 fn cargo_build(folder: &Path) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     let color = if io::stderr().is_terminal() { "always" } else { "never" };
@@ -68,28 +79,32 @@ fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble
     let (stderr, listener) = (child.stderr.take(), version.clone());
     let errors = thread::spawn(move || stderr.map(|stderr| pass_on(stderr, &listener)).unwrap_or_default());
     let built = child.stdout.take().map(|stdout| read_messages(stdout, version)).unwrap_or_default();
+    if let Some((executable, rest)) = built.executable {
+        // The program is there. What is left for cargo to do makes no difference to it.
+        thread::spawn(move || {
+            let _ = io::copy(&mut { rest }, &mut io::sink());
+            let _ = child.wait();
+        });
+        return Ok(worker(&executable, version));
+    }
     let status = child.wait();
     let cargos_error = errors.join().unwrap_or_default();
-
-    match (status, built.executable) {
-        (Ok(status), Some(executable)) if status.success() => Ok(worker(&executable, version)),
-        (status, _) => {
-            let found = built.first_error.unwrap_or(Found { words: cargos_error, ..Found::default() });
-            let mut details = found.lines();
-            if details.is_empty() {
-                let how = status.map_or_else(|error| error.to_string(), |status| status.to_string());
-                details.push(format!("cargo ended without a word: {how}"));
-            }
-            details.push(IN_TERMINAL.into());
-            Err(Trouble { headline: "your code does not compile".into(), details })
-        }
+    let found = built.first_error.unwrap_or(Found { words: cargos_error, ..Found::default() });
+    let mut details = found.lines();
+    if details.is_empty() {
+        let how = status.map_or_else(|error| error.to_string(), |status| status.to_string());
+        details.push(format!("cargo ended without a word: {how}"));
     }
+    details.push(IN_TERMINAL.into());
+    Err(Trouble { headline: "your code does not compile".into(), details })
 }
 
 fn worker(executable: &Path, version: &Version) -> WorkerProcess {
     let worker = WorkerProcess::new(Command::new(executable))
         .printing_to(version.voice(io::stdout()))
-        .errors_to(version.voice(io::stderr()));
+        .errors_to(version.voice(io::stderr()))
+        // The voices have a limit of their own, for every question.
+        .print_limit(usize::MAX);
     let stopper = worker.stopper();
     version.when_abandoned(move || stopper.stop());
     worker
@@ -111,20 +126,31 @@ fn pass_on(stderr: impl Read, version: &Version) -> Vec<String> {
 }
 
 /// What cargo's messages say.
-#[derive(Default)]
-struct Built {
-    executable: Option<PathBuf>,
+struct Built<R> {
+    /// The program `fk-worker`, and what cargo has not said yet.
+    executable: Option<(PathBuf, R)>,
     first_error: Option<Found>,
 }
 
-/// Reads cargo's messages to their end, and copies the compiler's words to the terminal.
-fn read_messages(stdout: impl Read, version: &Version) -> Built {
+impl<R> Default for Built<R> {
+    fn default() -> Self {
+        Built { executable: None, first_error: None }
+    }
+}
+
+/// Reads cargo's messages until the program is there, or to their end, and copies the compiler's words to the terminal.
+fn read_messages<R: Read>(stdout: R, version: &Version) -> Built<BufReader<R>> {
     let mut built = Built::default();
-    let mut lines = BufReader::new(stdout).split(b'\n');
-    while let Some(Ok(line)) = lines.next() {
-        let Ok(message) = serde_json::from_slice::<Value>(&line) else { continue };
-        if message["reason"] == "compiler-artifact" && message["target"]["name"] == "fk-worker" {
-            built.executable = message["executable"].as_str().map(PathBuf::from).or(built.executable);
+    let (mut source, mut line) = (BufReader::new(stdout), Vec::new());
+    while source.read_until(b'\n', &mut line).is_ok_and(|count| count > 0) {
+        let message = serde_json::from_slice(&line).unwrap_or(Value::Null);
+        line.clear();
+        if message["reason"] == "compiler-artifact"
+            && message["target"]["name"] == "fk-worker"
+            && let Some(executable) = message["executable"].as_str()
+        {
+            built.executable = Some((executable.into(), source));
+            return built;
         }
         if message["reason"] == "compiler-message" {
             let diagnostic = &message["message"];
@@ -164,9 +190,7 @@ mod tests {
 
     /// Compiles it in its own folder, whatever target folder the tests use.
     fn compile_alone(folder: &Path) -> Result<WorkerProcess, Trouble> {
-        let mut command = cargo_build(folder);
-        command.env("CARGO_TARGET_DIR", folder.join("target"));
-        run(command, &Version::default())
+        compile_into(&folder.join("target"), folder, &Version::default())
     }
 
     #[test]
@@ -175,10 +199,8 @@ mod tests {
         let trouble = compile_alone(folder.path()).err().unwrap();
         assert_eq!(trouble.headline, "your code does not compile");
         assert_eq!(trouble.details[..2], ["error[E0308]: mismatched types", "worker.rs:2:17"]);
-        assert_eq!(
-            trouble.details[2..4],
-            ["    let x: u8 = \"text\";", "                ^^^^^^ expected `u8`, found `&str`"]
-        );
+        let source = ["let x: u8 = \"text\";", "\"text\"  <- expected `u8`, found `&str`"];
+        assert_eq!(trouble.details[2..4], source);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::camera::Camera;
 use crate::canvas::Ground;
 use crate::scene::Side;
 use crate::sides::sides;
-use crate::upright::{Standing, Up};
+use crate::upright::{Stance, Up};
 
 pub use figure::Wanted;
 use figure::tips;
@@ -84,9 +84,9 @@ impl Stage {
     }
 
     fn find_up(&self) -> Up {
-        let mut standing = Standing::new(self.motion.skeleton().joints());
-        self.sample(|_, pose| standing.look(pose));
-        standing.up()
+        let mut stance = Stance::new(self.motion.skeleton().joints());
+        self.sample(|_, pose| stance.look(pose));
+        stance.up()
     }
 
     fn measure(&mut self) {
