@@ -86,7 +86,7 @@ impl Raster {
         // Edges are blended with what lies behind them: far ones first, when everything else is there.
         let (pixels, nearness) = canvas.layers();
         for edge in self.scratch.edges.iter().rev() {
-            if edge.nearness >= nearness[edge.index] {
+            if edge.nearness * CLEARLY > nearness[edge.index] {
                 pixels[edge.index] = Color(pixels[edge.index]).mix(edge.color, edge.share).0;
                 if edge.share > 0.5 {
                     nearness[edge.index] = edge.nearness;
