@@ -191,7 +191,9 @@ impl Stage {
             if let Some(parent) = joint.parent {
                 let side = self.sides[joint.id.0];
                 let (from, to) = (pose[parent].position, transform.position);
-                let (radius, joints) = (self.radii[joint.id.0], (parent.0, joint.id.0));
+                let radius =
+                    body::stretched(self.radii[joint.id.0], joint.offset.length(), from.distance(to));
+                let joints = (parent.0, joint.id.0);
                 figure.bones.push(Bone { from, to, side, radius, joints });
             }
             if axes && !joint.is_end_site {

@@ -15,8 +15,8 @@ use crate::camera::View;
 /// The net's crossings lie about this many pixels apart in the picture…
 const PIXELS_APART: f32 = 7.0;
 /// … but there are never more or fewer of them than this, along a capsule and around it.
-const ALONG: (f32, f32) = (5.0, 20.0);
-const AROUND: (f32, f32) = (8.0, 24.0);
+const ALONG: (f32, f32) = (5.0, 18.0);
+const AROUND: (f32, f32) = (8.0, 20.0);
 
 /// The light of the sky from straight above, and of the ground from straight below.
 const SKY: Vec3 = Vec3::new(0.40, 0.47, 0.58);

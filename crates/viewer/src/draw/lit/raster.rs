@@ -9,7 +9,7 @@ use crate::camera::View;
 use crate::canvas::{Canvas, Color};
 
 /// The most pixels between two for which light is calculated, and how many of them lie on a capsule's radius.
-const MOST_APART: f32 = 8.0;
+const MOST_APART: f32 = 10.0;
 const ON_RADIUS: f32 = 10.0;
 
 /// Room for silhouettes, in widths and heights of the picture: more than a body has.
