@@ -7,7 +7,7 @@ use std::ops::Range;
 use glam::{Vec3, Vec4};
 
 use super::SUN;
-use super::capsule::{Capsule, Neighbours};
+use super::capsule::{Capsule, MOST_MUTUAL, Neighbours};
 use super::shadow::GroundShadow;
 use super::shape::Body;
 use crate::camera::View;
@@ -66,7 +66,7 @@ impl LightMaps {
         self.light.clear();
         self.nets.clear();
         // As much as any view of them needs: the next picture takes no new memory.
-        self.light.reserve(capsules.len() * (ALONG.1 * (AROUND.1 + 1.0)) as usize);
+        self.light.reserve(capsules.len().min(MOST_MUTUAL) * (ALONG.1 * (AROUND.1 + 1.0)) as usize);
         for (index, capsule) in capsules.iter().enumerate() {
             let net = Net::new(capsule, self.light.len(), lens);
             self.nets.push(net);
