@@ -89,6 +89,9 @@ impl Part {
 /// The least radius, as a share of the size of the whole: what is thinner is hard to see.
 const THINNEST: f32 = 0.003;
 
+/// However far a bone is drawn out, it is as thin as one that is drawn out to the inverse of this.
+const THINNEST_DRAWN_OUT: f32 = 0.1;
+
 /// Where names tell nothing: the radius as a share of the bone's length, and the most that it is of the whole.
 const SLENDER: f32 = 0.18;
 const THICKEST: f32 = 0.032;
@@ -126,6 +129,13 @@ pub fn radii(skeleton: &Skeleton, size: f32) -> Vec<f32> {
             (THINNEST * size).max(f32::MIN_POSITIVE).max(radius.min(size))
         })
         .collect()
+}
+
+/// The radius of a bone that is drawn out to `length`, of one that has this `radius` at its own length `own`. Unfinished
+/// functions put joints far away from each other: like dough, a bone gets thinner then.
+pub fn stretched(radius: f32, own: f32, length: f32) -> f32 {
+    let share = (own / length).max(THINNEST_DRAWN_OUT).sqrt();
+    if share < 1.0 { radius * share } else { radius }
 }
 
 /// The longest side of the box around the rest pose: how tall a body stands, or how far it holds out its arms, which is
@@ -237,6 +247,15 @@ mod tests {
         for name in ["root", "LHipJoint", "LThigh", "tail"] {
             assert!(dog(name) > 0.0 && dog(name).is_finite(), "{name}");
         }
+    }
+
+    #[test]
+    fn a_bone_that_is_drawn_out_gets_thinner() {
+        assert_eq!(stretched(2.0, 5.0, 5.0), 2.0);
+        assert_eq!(stretched(2.0, 5.0, 3.0), 2.0);
+        assert_eq!(stretched(2.0, 5.0, 20.0), 1.0);
+        assert!(stretched(2.0, 0.0, 1e9) > 0.5 && stretched(2.0, 5.0, f32::NAN) > 0.5);
+        assert_eq!(stretched(2.0, 0.0, 0.0).max(0.5), stretched(2.0, 0.0, 0.0));
     }
 
     proptest! {

@@ -18,8 +18,8 @@ const WIDEST: f32 = 560.0;
 const ROOMY: (f32, f32) = (480.0, 320.0);
 const SMALLEST: f32 = 0.72;
 
-/// The share of the picture that panels may cover, and the least picture that has any.
-const MOST_COVERED: f32 = 0.6;
+/// The share of the picture that panels may cover, in a small picture and in others, and the least picture that has any.
+const MOST_COVERED: (f32, f32) = (0.38, 0.5);
 const LEAST: (f32, f32) = (96.0, 64.0);
 
 const BACKDROP: Color = Color(0x1D_24_2E);
@@ -72,6 +72,8 @@ struct Measures {
     margin: i32,
     swatch: i32,
     widest: i32,
+    /// How many pixels panels may cover.
+    room: i64,
 }
 
 impl Measures {
@@ -84,6 +86,7 @@ impl Measures {
         let fit = (width / ROOMY.0).min(height / ROOMY.1).clamp(SMALLEST, 1.0) * scale;
         let pixels = |length: f32| (length * fit).round() as i32;
         let margin = pixels(MARGIN);
+        let share = if fit < scale { MOST_COVERED.0 } else { MOST_COVERED.1 };
         Some(Measures {
             text: pixels(TEXT_SIZE).unsigned_abs(),
             line: pixels(LINE_HEIGHT),
@@ -91,6 +94,7 @@ impl Measures {
             margin,
             swatch: pixels(SWATCH),
             widest: pixels(WIDEST).min(size.0 as i32 - 2 * margin),
+            room: (share * size.0 as f32 * size.1 as f32) as i64,
         })
     }
 }
@@ -146,7 +150,7 @@ impl Panels {
     ) -> Option<(Rectangle, usize)> {
         let covered: i64 =
             self.placed.iter().map(|place| i64::from(place.width) * i64::from(place.height)).sum();
-        let most = (MOST_COVERED * size.0 as f32 * size.1 as f32) as i64 - covered;
+        let most = measures.room - covered;
         for rows in (1..=self.rows.len()).rev() {
             let height = rows as i32 * measures.line + 2 * measures.padding - measures.line / 5;
             if i64::from(width) * i64::from(height) > most {

@@ -52,8 +52,13 @@ impl Canvas {
                 |shade: fn(&GridLines) -> LineShade| lines.iter().all(|lines| shade(lines).is_even());
             match (is_even(|lines| lines.weak), is_even(|lines| lines.strong)) {
                 (true, true) => row.fill(colors.at(lines[0].weak.low, lines[0].strong.low)),
-                (true, false) => fill_row::<false>(row, lines, &colors),
-                _ => fill_row::<true>(row, lines, &colors),
+                (true, false) => fill_row::<false>(row, 0, &lines, &colors),
+                _ if lines.iter().map(|lines| lines.work(row.len())).sum::<f32>()
+                    < 0.5 * row.len() as f32 =>
+                {
+                    fill_sparse_row(row, &lines, &colors);
+                }
+                _ => fill_row::<true>(row, 0, &lines, &colors),
             }
         }
     }
@@ -64,11 +69,32 @@ pub(crate) fn haze(depth: f32, reach: f32) -> f32 {
     1.0 - (-(depth / reach).powi(2)).exp()
 }
 
-/// Shades one row of the ground. Without `WEAK`, the weak lines are no longer told apart. This is done for most pixels
+/// Shades a row in which lines are far apart: only the pixels close to them, in front of the plain ground.
+fn fill_sparse_row(row: &mut [u32], lines: &[GridLines; 2], colors: &RowColors) {
+    row.fill(colors.at(0.0, 0.0));
+    let width = row.len() as f32;
+    for direction in lines {
+        let ends = [direction.start, direction.start + direction.step * width].map(nearest_whole);
+        let (first, last) = (ends[0].min(ends[1]) as i32, ends[0].max(ends[1]) as i32);
+        for line in first..=last {
+            let middle = (line as f32 - direction.start) / direction.step;
+            let from = (middle - direction.half).floor().clamp(0.0, width) as usize;
+            let to = (middle + direction.half).ceil().clamp(0.0, width) as usize;
+            fill_row::<true>(&mut row[from..to], from, lines, colors);
+        }
+    }
+}
+
+/// Shades a part of a row of the ground that begins with pixel `from`. Without `WEAK`, the weak lines are no longer told apart. This is done for most pixels
 /// of every picture: no branch and no call is in the loop, so that the compiler does many pixels at once.
-fn fill_row<const WEAK: bool>(row: &mut [u32], [x_lines, z_lines]: [GridLines; 2], colors: &RowColors) {
+fn fill_row<const WEAK: bool>(
+    row: &mut [u32],
+    from: usize,
+    [x_lines, z_lines]: &[GridLines; 2],
+    colors: &RowColors,
+) {
     let even = larger(x_lines.weak.low, z_lines.weak.low);
-    for (x, pixel) in (0i32..).zip(row) {
+    for (x, pixel) in (from as i32..).zip(row) {
         let x = x as f32;
         let at_x = x_lines.start + x_lines.step * x;
         let at_z = z_lines.start + z_lines.step * x;
@@ -112,6 +138,8 @@ impl RowColors {
 struct GridLines {
     start: f32,
     step: f32,
+    /// How many pixels of the row a line covers on each side of its middle, at most.
+    half: f32,
     weak: LineShade,
     strong: LineShade,
 }
@@ -125,9 +153,19 @@ impl GridLines {
         GridLines {
             start: start as f32,
             step: step / cell,
+            half: 0.5 * (STRONG_LINE_WIDTH + footprint) * (cell / step.abs()) + 1.0,
             weak: LineShade::new(footprint, LINE_WIDTH),
             strong: LineShade::new(footprint / STRONG, STRONG_LINE_WIDTH / STRONG),
         }
+    }
+
+    /// The work of shading only the pixels close to lines in a row of `width` pixels, in pixels of [`fill_row`] at its
+    /// full speed; endless where there are no gaps between the lines.
+    fn work(&self, width: usize) -> f32 {
+        const SHORT_SPAN: f32 = 16.0;
+        let count = self.step.abs() * width as f32 + 1.0;
+        let is_apart = self.weak.low == 0.0 && self.strong.low == 0.0;
+        if is_apart { count * (2.0 * self.half + SHORT_SPAN) } else { f32::INFINITY }
     }
 }
 
@@ -228,6 +266,34 @@ mod tests {
         assert!(canvas.pixel(3, 3).unwrap().channels()[2] > canvas.pixel(3, 44).unwrap().channels()[2]);
         let canvas = picture(Camera { elevation: -0.1, ..camera }, Ground { height: 1.0, cell: 1e6 });
         assert!(canvas.pixel(3, 44).unwrap().channels()[2] > canvas.pixel(3, 3).unwrap().channels()[2]);
+    }
+
+    #[test]
+    fn a_row_with_gaps_between_its_lines_is_shaded_as_any_other() {
+        let mut sparse_rows = 0;
+        for azimuth in [0.0f32, 0.01, 0.4, 0.8, 1.5707, 3.0] {
+            let view = Camera { target: Vec3::ZERO, azimuth, elevation: 0.5, distance: 9.0 }.view((640, 480));
+            for y in (150..480).step_by(7) {
+                let sight = view.forward + view.up * ((240.0 - y as f32) / view.focal);
+                let depth = (-1.0 - view.eye.y) / sight.y;
+                let along = view.right * (depth / view.focal);
+                let across = (view.up - sight * (view.up.y / sight.y)) * (depth / view.focal);
+                let start = sight - view.right * (319.5 / view.focal);
+                let lines = [
+                    GridLines::new(view.eye.x, depth * start.x, along.x, across.x, 1.0),
+                    GridLines::new(view.eye.z, depth * start.z, along.z, across.z, 1.0),
+                ];
+                if !lines.iter().map(|lines| lines.work(640)).sum::<f32>().is_finite() {
+                    continue;
+                }
+                sparse_rows += 1;
+                let (mut sparse, mut full) = ([0; 640], [0; 640]);
+                fill_sparse_row(&mut sparse, &lines, &RowColors::new(0.1));
+                fill_row::<true>(&mut full, 0, &lines, &RowColors::new(0.1));
+                assert!(sparse == full, "row {y} at {azimuth}");
+            }
+        }
+        assert!(sparse_rows > 100);
     }
 
     proptest! {

@@ -33,6 +33,7 @@ impl Canvas {
         let Some((from, to)) = self.clip(from, to, reach) else { return };
         let (start, along) = (Vec2::new(from.x, from.y), Vec2::new(to.x - from.x, to.y - from.y));
         let length_squared = along.length_squared();
+        let per_length = if length_squared > 0.0 { along / length_squared } else { Vec2::ZERO };
         let most = pen.opacity * pen.width.min(1.0);
 
         for y in covered(from.y.min(to.y) - reach, from.y.max(to.y) + reach, self.height) {
@@ -46,10 +47,7 @@ impl Canvas {
             let (left, right) = (from.x + first * along.x, from.x + last * along.x);
             for x in covered(left.min(right) - reach, left.max(right) + reach, self.width) {
                 let to_pixel = Vec2::new(x as f32 + 0.5, centre_y) - start;
-                let share = match length_squared > 0.0 {
-                    true => to_pixel.dot(along) / length_squared,
-                    false => 0.0,
-                };
+                let share = to_pixel.dot(per_length);
                 if !ROUND && !(0.0..1.0).contains(&share) {
                     continue;
                 }

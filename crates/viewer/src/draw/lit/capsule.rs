@@ -107,7 +107,7 @@ impl Capsule {
 }
 
 /// With more bodies than this, each is lit as if it were alone: looking at all pairs would take too long.
-const MOST_MUTUAL: usize = 800;
+pub(super) const MOST_MUTUAL: usize = 800;
 
 /// For each capsule, those that may stand between it and the sun, and those that may hide a part of the sky.
 #[derive(Default)]

@@ -7,7 +7,7 @@ use std::ops::Range;
 use glam::{Vec3, Vec4};
 
 use super::SUN;
-use super::capsule::{Capsule, Neighbours};
+use super::capsule::{Capsule, MOST_MUTUAL, Neighbours};
 use super::shadow::GroundShadow;
 use super::shape::Body;
 use crate::camera::View;
@@ -15,8 +15,8 @@ use crate::camera::View;
 /// The net's crossings lie about this many pixels apart in the picture…
 const PIXELS_APART: f32 = 7.0;
 /// … but there are never more or fewer of them than this, along a capsule and around it.
-const ALONG: (f32, f32) = (5.0, 20.0);
-const AROUND: (f32, f32) = (8.0, 24.0);
+const ALONG: (f32, f32) = (5.0, 18.0);
+const AROUND: (f32, f32) = (8.0, 20.0);
 
 /// The light of the sky from straight above, and of the ground from straight below.
 const SKY: Vec3 = Vec3::new(0.40, 0.47, 0.58);
@@ -66,7 +66,7 @@ impl LightMaps {
         self.light.clear();
         self.nets.clear();
         // As much as any view of them needs: the next picture takes no new memory.
-        self.light.reserve(capsules.len() * (ALONG.1 * (AROUND.1 + 1.0)) as usize);
+        self.light.reserve(capsules.len().min(MOST_MUTUAL) * (ALONG.1 * (AROUND.1 + 1.0)) as usize);
         for (index, capsule) in capsules.iter().enumerate() {
             let net = Net::new(capsule, self.light.len(), lens);
             self.nets.push(net);

@@ -15,7 +15,7 @@ use glam::Vec3;
 
 use crate::camera::View;
 use crate::canvas::Canvas;
-use crate::scene::{Bone, Figure, Look, Scene};
+use crate::scene::{Bone, Dot, Figure, Look, Scene};
 
 pub(super) use capsule::Capsule;
 use capsule::Neighbours;
@@ -99,13 +99,25 @@ impl Bodies {
 /// How far the bodies of a figure's own bones reach in front of each of its joints, towards the camera, in world units:
 /// what marks a joint is moved by this to be seen upon them. Bones that merely pass in front of a joint hide it.
 pub(super) fn cover(figure: &Figure, view: &View, covers: &mut Vec<f32>) {
-    let everywhere = figure.bones.len() <= MOST_COVERING;
-    covers.extend(figure.joints.iter().enumerate().map(|(index, joint)| {
-        let to_eye = (view.eye - joint.place).normalize_or_zero();
-        let ends_here = |bone: &&Bone| everywhere || bone.joints.0 == index || bone.joints.1 == index;
-        let covers = figure.bones.iter().filter(ends_here).map(|bone| cover_of(bone, joint.place, to_eye));
-        covers.fold(0.0, f32::max) * -to_eye.dot(view.forward)
-    }));
+    covers.clear();
+    covers.resize(figure.joints.len(), 0.0);
+    let to_eye = |joint: &Dot| (view.eye - joint.place).normalize_or_zero();
+    let look = |bone: &Bone, joint: &Dot, cover: &mut f32| {
+        *cover = cover.max(cover_of(bone, joint.place, to_eye(joint)) * -to_eye(joint).dot(view.forward));
+    };
+    if figure.bones.len() <= MOST_COVERING {
+        for (joint, cover) in figure.joints.iter().zip(covers) {
+            figure.bones.iter().for_each(|bone| look(bone, joint, cover));
+        }
+        return;
+    }
+    for bone in &figure.bones {
+        for index in [bone.joints.0, bone.joints.1] {
+            if let (Some(joint), Some(cover)) = (figure.joints.get(index), covers.get_mut(index)) {
+                look(bone, joint, cover);
+            }
+        }
+    }
 }
 
 /// With more bones than this, only those that end at a joint are looked at.

@@ -9,7 +9,7 @@ use crate::camera::View;
 use crate::canvas::{Canvas, Color};
 
 /// The most pixels between two for which light is calculated, and how many of them lie on a capsule's radius.
-const MOST_APART: f32 = 8.0;
+const MOST_APART: f32 = 10.0;
 const ON_RADIUS: f32 = 10.0;
 
 /// Room for silhouettes, in widths and heights of the picture: more than a body has.
@@ -86,7 +86,7 @@ impl Raster {
         // Edges are blended with what lies behind them: far ones first, when everything else is there.
         let (pixels, nearness) = canvas.layers();
         for edge in self.scratch.edges.iter().rev() {
-            if edge.nearness >= nearness[edge.index] {
+            if edge.nearness * CLEARLY > nearness[edge.index] {
                 pixels[edge.index] = Color(pixels[edge.index]).mix(edge.color, edge.share).0;
                 if edge.share > 0.5 {
                     nearness[edge.index] = edge.nearness;

@@ -43,7 +43,7 @@ impl Shader<'_> {
         row[first] = packed(color);
         while at < last {
             // Close to the ends of the run, where surfaces mostly turn away, the steps are short.
-            let step = self.apart.min(1 + at.min(last - at) / 2).min(last - at);
+            let step = self.apart.min(1 + at.min(last - at)).min(last - at);
             let next = self.color(body, &run[at + step], rays, first + at + step);
             let change = (next - color) / step as f32;
             for pixel in &mut row[first + at + 1..=first + at + step] {

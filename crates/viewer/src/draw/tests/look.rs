@@ -156,8 +156,11 @@ fn near_bones_hide_far_ones_and_their_joints() {
 #[test]
 fn the_goal_lies_within_a_figure_in_the_same_pose() {
     let mut dice = Dice(3);
-    for _ in 0..20 {
-        let pose = chain(&mut dice);
+    for round in 0..20 {
+        let mut pose = chain(&mut dice);
+        if round % 2 == 1 {
+            pose.iter_mut().for_each(|bone| bone.radius = 0.06);
+        }
         let ghost = Figure { look: Look::Ghost, ..bones(pose.clone()) };
         let solid = bones(pose);
         let empty = picture(Style::Lines, Vec::new());
@@ -243,6 +246,26 @@ fn a_joint_that_is_off_is_larger_and_the_selected_one_has_a_frame() {
     assert!(sizes.is_sorted_by(|a, b| a < b), "{sizes:?}");
     let white = |canvas: Canvas| canvas.pixels().iter().filter(|pixel| **pixel == Color::WHITE.0).count();
     assert!(white(painted(Off::Right, true)) > 40 && white(painted(Off::Right, false)) == 0);
+}
+
+#[test]
+fn a_figure_may_have_thousands_of_bones() {
+    let mut dice = Dice(7);
+    for style in STYLES {
+        let places: Vec<Vec3> = (0..3001).map(|_| dice.place() - Vec3::Y).collect();
+        let mut many = figure(places.clone());
+        many.bones = (0..3000)
+            .map(|i| Bone { radius: 0.01, joints: (i, i + 1), ..bone(places[i], places[i + 1], Side::Left) })
+            .collect();
+        // One that stands apart from all others.
+        let (low, high) = (Vec3::new(0.0, 0.5, 0.0), Vec3::new(0.0, 1.2, 0.0));
+        many.joints.push(high.into());
+        many.bones.push(Bone { joints: (0, 3001), ..bone(low, high, Side::Right) });
+        many.joints.iter_mut().take(3001).for_each(|joint| joint.off = Off::Some);
+        let scene = Scene { style, ..scene(vec![many]) };
+        let ((count, x, y), spot) = (purple(&drawn(&scene)), scene.camera.view(SIZE).project(high).unwrap());
+        assert!(count >= 4 && (x - spot.x).abs() <= 0.75 && (y - spot.y).abs() <= 0.75, "{style:?} {count}");
+    }
 }
 
 #[test]

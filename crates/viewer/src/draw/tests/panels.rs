@@ -2,9 +2,15 @@
 
 use super::*;
 
+const CORNERS: [Corner; 4] = [Corner::TopLeft, Corner::TopRight, Corner::BottomLeft, Corner::BottomRight];
+
 fn with_panels(text_scale: f32) -> Scene {
+    with_panels_in(CORNERS, text_scale)
+}
+
+fn with_panels_in(corners: [Corner; 4], text_scale: f32) -> Scene {
     let mut scene = Scene { text_scale, ..scene(Vec::new()) };
-    for corner in [Corner::TopLeft, Corner::TopRight, Corner::BottomLeft, Corner::BottomRight] {
+    for corner in corners {
         let panel = scene.panels.add();
         panel.begin(corner);
         panel.add(Line::Heading, "a heading");
@@ -50,16 +56,21 @@ fn the_upper_left_panel_is_the_last_to_go() {
 }
 
 #[test]
-fn panels_stand_above_the_timeline_and_apart_from_each_other() {
+fn panels_stand_above_the_timeline() {
     let size = (1280, 720);
-    let mut scene = with_panels(1.0);
-    let bar = Bar::new(&scene.timeline.unwrap(), size, 1.0).unwrap();
-    scene.timeline.as_mut().unwrap().frame = 0;
-    let with = drawn(&scene, size);
-    let without = drawn(&Scene { panels: Default::default(), ..scene.clone() }, size);
-    for y in bar.top as usize..720 {
-        for x in 0..1280 {
-            assert_eq!(with.pixel(x, y), without.pixel(x, y), "a panel lies upon the timeline at ({x}, {y})");
+    for corners in [CORNERS, [Corner::TopLeft; 4], [Corner::BottomRight; 4]] {
+        let scene = with_panels_in(corners, 1.0);
+        let bar = Bar::new(&scene.timeline.unwrap(), size, 1.0).unwrap();
+        let with = drawn(&scene, size);
+        let without = drawn(&Scene { panels: Default::default(), ..scene.clone() }, size);
+        for y in bar.top as usize - 4..720 {
+            for x in 0..1280 {
+                assert_eq!(
+                    with.pixel(x, y),
+                    without.pixel(x, y),
+                    "a panel reaches the timeline at ({x}, {y})"
+                );
+            }
         }
     }
 }
