@@ -130,7 +130,7 @@ fn draw_lines(scene: &Scene, pixmap: &mut Pixmap) {
         for (unit, tint) in [(Vec3::X, Tint::X), (Vec3::Y, Tint::Y), (Vec3::Z, Tint::Z)] {
             let mut path = PathBuilder::new();
             for axes in &figure.axes {
-                add(&mut path, &view, axes.origin, axes.origin + axes.rotation * unit * scene.axis_length);
+                add(&mut path, &view, axes.origin, axes.origin + axes.rotation * unit * axes.length);
             }
             stroke(path, color_of(tint), 2.0, 1.0, pixmap);
         }

@@ -140,7 +140,12 @@ impl Studio {
             mark(None, origin, "the origin", (0, 20), Tint::Ink),
         ];
         let mut figure = self.stage.figure(&pose, Look::Echo(0.8), false);
-        figure.axes = vec![Axes { origin: parent.position, rotation: parent.rotation, lettered: true }];
+        figure.axes = vec![Axes {
+            origin: parent.position,
+            rotation: parent.rotation,
+            length: 0.07 * self.stage.size(),
+            lettered: true,
+        }];
         let joints = vec![parent.position, joint, origin];
         let joints = joints.into_iter().map(Dot::from).collect();
         let squares = Figure { joints, ..Figure::default() };
@@ -204,7 +209,6 @@ impl Studio {
             size: self.stage.size(),
             figures: figures.into_iter().collect(),
             marks,
-            axis_length: self.stage.axis_length(),
             text_scale: 1.0,
             ..Scene::default()
         }

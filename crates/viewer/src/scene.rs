@@ -29,8 +29,6 @@ pub struct Scene {
     pub trails: Pool<Trail>,
     /// Arrows and words in the world.
     pub marks: Vec<Mark>,
-    /// How long a joint's axes are drawn.
-    pub axis_length: f32,
     /// How large texts are: 1 is the size for an ordinary display.
     pub text_scale: f32,
     /// Texts on top of the picture.
@@ -254,6 +252,8 @@ pub struct Axes {
     pub origin: Vec3,
     /// How they are turned against the world's.
     pub rotation: Quat,
+    /// How long each is, in world units.
+    pub length: f32,
     /// Whether their tips carry the letters X, Y and Z.
     pub lettered: bool,
 }

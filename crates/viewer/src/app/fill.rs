@@ -44,7 +44,6 @@ impl App {
         scene.ground = stage.ground();
         scene.style = settings.style;
         scene.size = stage.size();
-        scene.axis_length = stage.axis_length();
         scene.text_scale = settings.text_scale;
         scene.marks.clear();
         scene.figures.clear();

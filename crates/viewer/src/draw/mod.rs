@@ -48,7 +48,7 @@ impl Painter {
 
         let mut writer = Writer { typeface: &mut self.typeface, view: &view, scale };
         for figure in &scene.figures {
-            writer.axes(figure, scene.axis_length, canvas);
+            writer.axes(figure, canvas);
         }
         for mark in &scene.marks {
             writer.mark(mark, canvas);
@@ -85,8 +85,5 @@ impl Painter {
 fn text_scale(scene: &Scene) -> f32 {
     if scene.text_scale.is_nan() { 1.0 } else { scene.text_scale.clamp(0.5, 4.0) }
 }
-
-/// How much longer axes with letters are than others.
-const LETTERED: f32 = 1.6;
 
 const AXES: [(Vec3, Tint); 3] = [(Vec3::X, Tint::X), (Vec3::Y, Tint::Y), (Vec3::Z, Tint::Z)];

@@ -2,9 +2,9 @@
 
 use glam::{Vec2, Vec3};
 
+use super::AXES;
 use super::colors::{self, PALE, color_of};
 use super::lit::cover;
-use super::{AXES, LETTERED};
 use crate::camera::{Spot, View};
 use crate::canvas::{Canvas, Color, Pen};
 use crate::scene::{Axes, Figure, Look, Mark, Off, Scene, Style, Tint, Trail};
@@ -61,7 +61,7 @@ impl Strokes {
         self.list.reserve(most);
         self.order.clear();
         self.order.reserve(most);
-        let mut pencil = Pencil { view, scale, axis_length: scene.axis_length, list: &mut self.list };
+        let mut pencil = Pencil { view, scale, size: scene.size, list: &mut self.list };
         for trail in &scene.trails {
             pencil.trail(trail);
         }
@@ -108,7 +108,8 @@ impl Strokes {
 struct Pencil<'a> {
     view: &'a View,
     scale: f32,
-    axis_length: f32,
+    /// How large a figure is.
+    size: f32,
     list: &'a mut Vec<Stroke>,
 }
 
@@ -176,11 +177,10 @@ impl Pencil<'_> {
     }
 
     fn axes(&mut self, axes: &Axes, look: Look, cover: f32) {
-        let length = if axes.lettered { LETTERED * self.axis_length } else { self.axis_length };
         for (unit, tint) in AXES {
             let color = if look == Look::Dimmed { color_of(tint).mix(PALE, 0.5) } else { color_of(tint) };
             let pen = Pen { width: 2.0 * self.scale, color, opacity: 1.0 };
-            let tip = axes.origin + axes.rotation * unit * length;
+            let tip = axes.origin + axes.rotation * unit * axes.length;
             if let Some((from, to)) = self.view.project_line(axes.origin, tip) {
                 let [from, to] = [from, to].map(|spot| towards(spot, cover, AXES_FORWARD));
                 self.list.push(Stroke::Line(from, to, pen));
@@ -192,7 +192,7 @@ impl Pencil<'_> {
         for (index, joint) in figure.joints.iter().enumerate() {
             let Some(spot) = self.view.project(joint.place) else { continue };
             // About as large as a joint of a body, but never a dot and never a blot.
-            let room = 0.3 * self.axis_length * spot.nearness * self.view.focal;
+            let room = 0.0135 * self.size * spot.nearness * self.view.focal;
             let (mut fill, mut border, larger) = colors::square_of(joint.off);
             if figure.look == Look::Dimmed && joint.off == Off::Right {
                 (fill, border) = (fill.mix(PALE, 0.5), border.mix(PALE, 0.5));
@@ -220,7 +220,7 @@ impl Pencil<'_> {
         // The head lies in the plane of the picture.
         let along = (mark.to - from).normalize_or_zero();
         let across = along.cross(self.view.forward).normalize_or_zero();
-        let head = (0.5 * self.axis_length).min(0.3 * from.distance(mark.to));
+        let head = (0.0225 * self.size).min(0.3 * from.distance(mark.to));
         for side in [0.5, -0.5] {
             self.line(mark.to, mark.to - (along - across * side) * head, pen, AXES_FORWARD);
         }

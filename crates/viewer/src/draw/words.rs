@@ -1,7 +1,7 @@
 //! Letters and words in the world.
 
+use super::AXES;
 use super::colors::{PAPER, color_of};
-use super::{AXES, LETTERED};
 use crate::camera::{Spot, View};
 use crate::canvas::{Canvas, Color, Pen, Typeface, Weight};
 use crate::scene::{Figure, Mark, Tint};
@@ -22,10 +22,10 @@ impl Writer<'_> {
     }
 
     /// Writes the letters at the axes of a figure.
-    pub fn axes(&mut self, figure: &Figure, axis_length: f32, canvas: &mut Canvas) {
+    pub fn axes(&mut self, figure: &Figure, canvas: &mut Canvas) {
         for axes in figure.axes.iter().filter(|axes| axes.lettered) {
             for (unit, tint) in AXES {
-                let tip = axes.origin + axes.rotation * unit * axis_length * (LETTERED + 0.35);
+                let tip = axes.origin + axes.rotation * unit * axes.length * 1.22;
                 let letter = match tint {
                     Tint::X => "X",
                     Tint::Y => "Y",

@@ -1,7 +1,7 @@
 //! From a pose to the figure that is drawn.
 
 use glam::Vec3;
-use skeleton::{Joint, Pose};
+use skeleton::{Joint, Pose, Skeleton};
 
 use super::Stage;
 use crate::body;
@@ -53,10 +53,28 @@ impl Stage {
             if wanted.axes && !joint.is_end_site {
                 let rotation = self.upright * transform.rotation;
                 let lettered = if wanted.selected.is_some() { selected } else { joint.is_root() };
-                figure.axes.push(Axes { origin: place, rotation, lettered });
+                let length = self.axes[joint.id.0] * if lettered { LETTERED } else { 1.0 };
+                figure.axes.push(Axes { origin: place, rotation, length, lettered });
             }
         }
     }
+}
+
+/// How much longer axes with letters are than others.
+const LETTERED: f32 = 1.6;
+
+/// How long the axes of each joint are drawn in a figure of this size: shorter where the bones are short, so that those of
+/// fingers do not cover the hand.
+pub(super) fn axes(skeleton: &Skeleton, size: f32) -> Vec<f32> {
+    let mut longest = vec![0.0f32; skeleton.len()];
+    for joint in skeleton.joints() {
+        if let Some(parent) = joint.parent {
+            for end in [joint.id, parent] {
+                longest[end.0] = longest[end.0].max(joint.offset.length());
+            }
+        }
+    }
+    longest.into_iter().map(|bone| (0.45 * bone).max(0.014 * size).min(0.045 * size)).collect()
 }
 
 /// Of joints at which nothing hangs, those that leave traces: of some that are close together, like the tips of fingers,
@@ -138,10 +156,24 @@ mod tests {
     #[test]
     fn tips_are_end_sites_and_leaves_without_one() {
         assert_eq!(tips(samples::chain(1, 1.0).skeleton().joints()), [2, 4]);
-        let mut skeleton = skeleton::Skeleton::new();
+        let mut skeleton = Skeleton::new();
         let root = skeleton.add_joint(None, "r", Vec3::ZERO, []).unwrap();
         skeleton.add_joint(Some(root), "leaf", Vec3::Y, []).unwrap();
         assert_eq!(tips(skeleton.joints()), [1]);
+    }
+
+    #[test]
+    fn axes_are_short_where_bones_are_short() {
+        let mut skeleton = Skeleton::new();
+        let mut parent = None;
+        for length in [0.0, 5.0, 0.1, 1e-9] {
+            parent = Some(skeleton.add_joint(parent, "j", Vec3::X * length, []).unwrap());
+        }
+        skeleton.add_joint(parent, "j", Vec3::NAN, []).unwrap();
+        let axes = axes(&skeleton, 5.1);
+        assert_eq!((axes[0], axes[1]), (axes[1], 0.045 * 5.1));
+        assert!(axes[2] < 0.1 && axes[3] < 0.1, "{axes:?}");
+        assert!(axes.iter().all(|length| *length > 0.0), "{axes:?}");
     }
 
     #[test]

@@ -28,6 +28,8 @@ pub struct Stage {
     traced: Vec<usize>,
     /// How thick the bone to each joint is.
     radii: Vec<f32>,
+    /// How long the axes of each joint are.
+    axes: Vec<f32>,
     size: f32,
     ground: Ground,
     /// Corners of the box in which the figure stays, relative to its anchor.
@@ -65,6 +67,7 @@ impl Stage {
             sides: sides(joints),
             traced: Vec::new(),
             radii: Vec::new(),
+            axes: Vec::new(),
             motion,
             positions,
             size: 1.0,
@@ -79,6 +82,7 @@ impl Stage {
         stage.measure();
         let skeleton = stage.motion.skeleton();
         stage.radii = body::radii(skeleton, stage.size);
+        stage.axes = figure::axes(skeleton, stage.size);
         stage.traced = figure::traced(&tips(skeleton.joints()), &skeleton.rest_positions(), stage.size);
         stage
     }
@@ -211,11 +215,6 @@ impl Stage {
     /// Whether the coordinates are so large, compared with the skeleton, that single precision shows no true figure.
     pub fn is_too_coarse(&self) -> bool {
         self.too_coarse
-    }
-
-    /// How long to draw a joint's axes.
-    pub fn axis_length(&self) -> f32 {
-        0.045 * self.size
     }
 
     /// Whether left and right can be told by the joints' names.

@@ -22,7 +22,6 @@ pub fn everything(stage: &Stage, frame: usize, style: Style, size: (usize, usize
         ground: stage.ground(),
         style,
         size: stage.size(),
-        axis_length: stage.axis_length(),
         text_scale: 1.0,
         timeline: Some(Timeline { frame, count: stage.frame_count(), range: (100, 900), playing: true }),
         scale_bar: Some(ScaleBar { length: 50.0, label: "50 units".into() }),

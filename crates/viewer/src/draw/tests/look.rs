@@ -197,7 +197,7 @@ fn what_is_no_number_changes_nothing_else() {
             bad.bones.push(bone(place, Vec3::ZERO, Side::Left));
             bad.bones.push(bone(Vec3::ONE, place, Side::Left));
             bad.joints.push(place.into());
-            bad.axes.push(Axes { origin: place, rotation: Quat::IDENTITY, lettered: true });
+            bad.axes.push(Axes { origin: place, rotation: Quat::IDENTITY, length: 0.5, lettered: true });
             let mut scene = Scene { style, ..scene(vec![bad]) };
             scene.trails.add().points.extend([place, place]);
             assert!(drawn(&scene).pixels() == picture(style, vec![good.clone()]).pixels(), "{style:?} {odd}");

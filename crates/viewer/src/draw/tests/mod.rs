@@ -29,7 +29,6 @@ fn scene(figures: Vec<Figure>) -> Scene {
         style: Style::Lines,
         size: 3.0,
         figures: figures.into_iter().collect(),
-        axis_length: 0.5,
         text_scale: 1.0,
         ..Scene::default()
     }
@@ -80,12 +79,12 @@ proptest! {
                 Bone { from: Vec3::ONE, to: Vec3::ONE, side: Side::Right, radius: raw[13], joints: (9, 9) },
             ],
             joints: vec![a.into(), b.into()],
-            axes: vec![Axes { origin: a, rotation, lettered: true }],
+            axes: vec![Axes { origin: a, rotation, length: raw[10], lettered: true }],
         }]);
         let ghost = Figure { look: Look::Echo(raw[12]), ..scene.figures[0].clone() };
         *scene.figures.add() = ghost;
         scene.style = if lit { Style::Lit } else { Style::Lines };
-        scene.axis_length = raw[10];
+        scene.size = raw[10];
         scene.text_scale = raw[14];
         scene.marks.push(Mark { from: Some(a), to: b, text: "x".into(), text_offset: (-3, 2), tint: Tint::Ink });
         scene.trails.add().points.extend([a, b, Vec3::ZERO, Vec3::X, a]);
@@ -115,7 +114,7 @@ fn joints_that_share_a_place_look_like_one() {
         radius: 0.1,
         joints: (0, 1),
     };
-    let axes = Axes { origin: bone.to, rotation: Quat::from_rotation_x(0.4), lettered: false };
+    let axes = Axes { origin: bone.to, rotation: Quat::from_rotation_x(0.4), length: 0.5, lettered: false };
     let drawn = |count: usize| {
         let (bones, axes) = (vec![bone; count], vec![axes; count]);
         let mut canvas = Canvas::new(120, 90);
@@ -140,7 +139,7 @@ fn letters_far_outside_of_the_picture_are_left_out() {
             // In front of the camera, and farther aside than whole pixels can be counted.
             let origin = aside * far;
             assert!(view.project(origin).is_some());
-            let axes = vec![Axes { origin, rotation: Quat::IDENTITY, lettered: true }];
+            let axes = vec![Axes { origin, rotation: Quat::IDENTITY, length: 0.5, lettered: true }];
             *scene.figures.add() = Figure { axes, ..figure(Vec::new()) };
             let mark = Mark {
                 from: None,
