@@ -3,6 +3,7 @@
 //! `cargo bench -p viewer --bench save_to_picture`
 #![allow(clippy::unwrap_used)]
 
+#[allow(dead_code)] // Of its helpers, not all are used here.
 #[path = "../../grading/tests/support/mod.rs"]
 mod support;
 
@@ -79,11 +80,17 @@ fn picture(course: &Course, stage: &Arc<Stage>, number: usize) -> Duration {
     app.go_to(FRAME);
     let mut painter = Painter::new();
     let mut canvas = Canvas::new(SIZE.0, SIZE.1);
+    let mut drawn = None;
+    // As the window does: what looks like the picture before is not drawn again.
     let mut draw = |live: &mut Live| {
         live.update(&[FRAME]);
         let standing = live.student().standing(0, FRAME);
         let shown = Shown::Student { posed: live.student().pose(0, FRAME), status: &standing.status };
-        painter.draw(&app.scene(shown, SIZE), &mut canvas);
+        let scene = app.scene(shown, SIZE);
+        if drawn.as_ref() != Some(&scene) {
+            painter.draw(&scene, &mut canvas);
+            drawn = Some(scene);
+        }
         assert!(!matches!(standing.status, Status::Failed(_)), "{standing:?}");
         standing
     };

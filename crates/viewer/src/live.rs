@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::board::Board;
 use crate::stage::Stage;
 use crate::student::{News, Student};
-use crate::watch::{Change, Watcher};
+use crate::watch::{Baseline, Change, Watcher};
 use crate::worker;
 
 /// The student's functions, the files that are watched, and what the terminal is told.
@@ -23,28 +23,31 @@ impl Live {
     /// Points, troubles and what the student's functions print go to the terminal.
     pub fn open(workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<PathBuf>) -> Live {
         // What is saved from here on is noticed; what was saved before is what is built.
-        let watcher = Watcher::start(&workspace.join("exercises").join("fk").join("src"), &motions);
+        let baseline = Baseline::now(&workspace.join("exercises").join("fk").join("src"), &motions);
+        let (folder, mut terminal) = (workspace.to_owned(), Terminal::default());
+        let student = Student::start(
+            stages,
+            move |version| worker::compile(&folder, version),
+            move |news| terminal.tell(news),
+        );
+        let rebuilder = student.rebuilder();
+        let at_once = move |change: &Change| {
+            if *change == Change::Exercise {
+                rebuilder.rebuild();
+            }
+        };
+        let watcher = Watcher::start(baseline, at_once);
         if let Some(note) = watcher.note() {
             eprintln!("{note}");
         }
-        let workspace = workspace.to_owned();
-        let mut terminal = Terminal::default();
-        let student = Student::start(
-            stages,
-            move |version| worker::compile(&workspace, version),
-            move |news| terminal.tell(news),
-        );
         Live { student, watcher, motions }
     }
 
-    /// Takes what has come, rebuilds what was saved, and gives the motions (from 0) whose files were saved: these are to
+    /// Takes what has come, and gives the motions (from 0) whose files were saved: these are to
     /// be read again and handed to [`replace_stage`](Live::replace_stage). `shown` is the frame that is shown of each
     /// motion. Never waits; to be called for every picture.
     pub fn update(&mut self, shown: &[usize]) -> Vec<usize> {
         let changes: Vec<Change> = self.watcher.changes().collect();
-        if changes.contains(&Change::Exercise) {
-            self.student.rebuild();
-        }
         self.student.update(shown);
         let is_saved = |path: &PathBuf| changes.contains(&Change::Motion(path.clone()));
         let motions = self.motions.iter().enumerate();

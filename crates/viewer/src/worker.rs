@@ -68,22 +68,24 @@ fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble
     let (stderr, listener) = (child.stderr.take(), version.clone());
     let errors = thread::spawn(move || stderr.map(|stderr| pass_on(stderr, &listener)).unwrap_or_default());
     let built = child.stdout.take().map(|stdout| read_messages(stdout, version)).unwrap_or_default();
+    if let Some((executable, rest)) = built.executable {
+        // The program is there. What is left for cargo to do makes no difference to it.
+        thread::spawn(move || {
+            let _ = io::copy(&mut { rest }, &mut io::sink());
+            let _ = child.wait();
+        });
+        return Ok(worker(&executable, version));
+    }
     let status = child.wait();
     let cargos_error = errors.join().unwrap_or_default();
-
-    match (status, built.executable) {
-        (Ok(status), Some(executable)) if status.success() => Ok(worker(&executable, version)),
-        (status, _) => {
-            let found = built.first_error.unwrap_or(Found { words: cargos_error, ..Found::default() });
-            let mut details = found.lines();
-            if details.is_empty() {
-                let how = status.map_or_else(|error| error.to_string(), |status| status.to_string());
-                details.push(format!("cargo ended without a word: {how}"));
-            }
-            details.push(IN_TERMINAL.into());
-            Err(Trouble { headline: "your code does not compile".into(), details })
-        }
+    let found = built.first_error.unwrap_or(Found { words: cargos_error, ..Found::default() });
+    let mut details = found.lines();
+    if details.is_empty() {
+        let how = status.map_or_else(|error| error.to_string(), |status| status.to_string());
+        details.push(format!("cargo ended without a word: {how}"));
     }
+    details.push(IN_TERMINAL.into());
+    Err(Trouble { headline: "your code does not compile".into(), details })
 }
 
 fn worker(executable: &Path, version: &Version) -> WorkerProcess {
@@ -111,20 +113,31 @@ fn pass_on(stderr: impl Read, version: &Version) -> Vec<String> {
 }
 
 /// What cargo's messages say.
-#[derive(Default)]
-struct Built {
-    executable: Option<PathBuf>,
+struct Built<R> {
+    /// The program `fk-worker`, and what cargo has not said yet.
+    executable: Option<(PathBuf, R)>,
     first_error: Option<Found>,
 }
 
-/// Reads cargo's messages to their end, and copies the compiler's words to the terminal.
-fn read_messages(stdout: impl Read, version: &Version) -> Built {
+impl<R> Default for Built<R> {
+    fn default() -> Self {
+        Built { executable: None, first_error: None }
+    }
+}
+
+/// Reads cargo's messages until the program is there, or to their end, and copies the compiler's words to the terminal.
+fn read_messages<R: Read>(stdout: R, version: &Version) -> Built<BufReader<R>> {
     let mut built = Built::default();
-    let mut lines = BufReader::new(stdout).split(b'\n');
-    while let Some(Ok(line)) = lines.next() {
-        let Ok(message) = serde_json::from_slice::<Value>(&line) else { continue };
-        if message["reason"] == "compiler-artifact" && message["target"]["name"] == "fk-worker" {
-            built.executable = message["executable"].as_str().map(PathBuf::from).or(built.executable);
+    let (mut source, mut line) = (BufReader::new(stdout), Vec::new());
+    while source.read_until(b'\n', &mut line).is_ok_and(|count| count > 0) {
+        let message = serde_json::from_slice(&line).unwrap_or(Value::Null);
+        line.clear();
+        if message["reason"] == "compiler-artifact"
+            && message["target"]["name"] == "fk-worker"
+            && let Some(executable) = message["executable"].as_str()
+        {
+            built.executable = Some((executable.into(), source));
+            return built;
         }
         if message["reason"] == "compiler-message" {
             let diagnostic = &message["message"];

@@ -4,11 +4,12 @@
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
-use viewer::watch::{Change, Watcher};
+use viewer::watch::{Baseline, Change, Watcher};
 
 /// Far longer than a change takes to be told.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -30,6 +31,7 @@ impl Saved {
             fs::write(path, content).unwrap();
         }
         let watcher = Watcher::start(&folder.path().join("src"), &[folder.path().join("data/a motion.bvh")]);
+        let watcher = Watcher::start(baseline, |_| ());
         assert_eq!(watcher.note(), None, "the system tells what happens in a temporary folder");
         Saved { folder, watcher }
     }
@@ -144,10 +146,22 @@ fn a_new_source_and_a_new_motion_are_told() {
 }
 
 #[test]
+fn what_is_saved_before_the_watcher_listens_is_told_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("fk.rs");
+    fs::write(&source, "first").unwrap();
+    let baseline = Baseline::now(folder.path(), &[]);
+    fs::write(&source, "second").unwrap();
+    let (sender, changes) = mpsc::channel();
+    let _watcher = Watcher::start(baseline, move |change| drop(sender.send(change.clone())));
+    assert_eq!(changes.recv_timeout(PATIENCE).unwrap(), Change::Exercise);
+}
+
+#[test]
 fn without_word_from_the_system_the_files_are_looked_at() {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("not there yet");
-    let mut watcher = Watcher::start(&source, &[]);
+    let mut watcher = Watcher::start(Baseline::now(&source, &[]), |_| ());
     let note = watcher.note().unwrap();
     assert!(note.contains("twice a second"), "{note}");
     fs::create_dir(&source).unwrap();

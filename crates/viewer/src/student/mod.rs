@@ -9,6 +9,7 @@ mod held;
 mod narrow;
 mod pieces;
 mod plan;
+mod rebuilder;
 #[cfg(test)]
 mod tests;
 mod version;
@@ -16,7 +17,6 @@ mod window;
 mod work;
 
 use std::collections::BTreeMap;
-use std::io;
 use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -25,6 +25,7 @@ use exam::Subject;
 use exam::fk::{LocalAnswer, PosedFrame};
 
 pub use ask::{PATIENCE, ask};
+pub use rebuilder::Rebuilder;
 pub use version::Version;
 
 use crate::board::Board;
@@ -82,8 +83,8 @@ pub struct Student {
     held: Vec<Held>,
     /// Nothing stands for a frame whose local rotations could not be had.
     locals: BTreeMap<(usize, usize), Option<Vec<LocalAnswer>>>,
+    /// The version that all this is about.
     number: u64,
-    version: Version,
     ready: bool,
     failed: Option<Arc<Trouble>>,
     given_up: Option<Arc<Trouble>>,
@@ -91,7 +92,7 @@ pub struct Student {
     board: Option<Arc<Board>>,
     former_board: Option<Arc<Board>>,
     events: Receiver<(u64, Event)>,
-    start: Box<dyn FnMut(u64, Version, Version) -> io::Result<()>>,
+    rebuilder: Rebuilder,
 }
 
 impl Student {
@@ -116,12 +117,12 @@ impl Student {
                 thread::Builder::new().name("student".into()).spawn(move || work.run(&open)).map(|_| ())
             }
         };
+        let rebuilder = Rebuilder::new(desk.clone(), Box::new(start));
         let mut student = Student {
             desk,
             held,
             locals: BTreeMap::new(),
             number: 0,
-            version: Version::default(),
             ready: false,
             failed: None,
             given_up: None,
@@ -129,7 +130,7 @@ impl Student {
             board: None,
             former_board: None,
             events,
-            start: Box::new(start),
+            rebuilder,
         };
         student.rebuild();
         student
@@ -137,22 +138,30 @@ impl Student {
 
     /// The file was saved: the version before is abandoned, whatever it is doing, and the new one built and asked.
     pub fn rebuild(&mut self) {
-        let before = std::mem::take(&mut self.version);
-        before.abandon();
-        {
-            let mut plan = self.desk.plan();
-            plan.begin();
-            self.number = plan.version;
+        self.rebuilder.rebuild();
+        self.follow();
+    }
+
+    /// What another thread can call when the file was saved.
+    pub fn rebuilder(&self) -> Rebuilder {
+        self.rebuilder.clone()
+    }
+
+    /// Begins anew if there is a new version. Gives whether there is.
+    fn follow(&mut self) -> bool {
+        let number = self.desk.plan().version;
+        if std::mem::replace(&mut self.number, number) == number {
+            return false;
         }
-        self.desk.wake();
         self.held.iter_mut().for_each(Held::begin);
         self.locals.clear();
         (self.ready, self.failed, self.given_up, self.grading) = (false, None, None, false);
         self.former_board = self.board.take().or(self.former_board.take());
-        if let Err(error) = (self.start)(self.number, self.version.clone(), before) {
+        if let Some(error) = self.rebuilder.take_trouble() {
             let headline = "your functions cannot be asked".into();
             self.failed = Some(Arc::new(Trouble { headline, details: vec![error.to_string()] }));
         }
+        true
     }
 
     /// Motion `motion` (from 0) was read again. Its frames are asked anew; nothing is built.
@@ -172,7 +181,7 @@ impl Student {
     /// Takes what has come, and asks for what will be needed around the frame that is shown of each motion. Gives whether
     /// anything has come. Never waits; to be called for every picture.
     pub fn update(&mut self, shown: &[usize]) -> bool {
-        let mut news = false;
+        let mut news = self.follow();
         while let Ok((number, event)) = self.events.try_recv() {
             if number == self.number {
                 self.take(event);
@@ -266,9 +275,7 @@ impl Student {
 impl Drop for Student {
     /// Ends the worker. Does not wait for a build.
     fn drop(&mut self) {
-        self.desk.plan().begin();
-        self.version.end();
-        self.desk.wake();
+        self.rebuilder.end();
     }
 }
 

@@ -54,7 +54,8 @@ type Stamps = BTreeMap<OsString, (u64, Option<SystemTime>)>;
 impl Watched {
     pub(super) fn new(files: Files) -> Watched {
         let (stamps, told) = (files.stamps(), files.contents());
-        Watched { files, told, stamps, news: None, heard: false }
+        // Something may have happened before the system was listened to.
+        Watched { files, told, stamps, news: None, heard: true }
     }
 
     pub(super) fn files(&self) -> &Files {

@@ -25,7 +25,7 @@ const POLL: Duration = Duration::from_millis(500);
 pub enum Change {
     /// Some file that the exercise's program is built of.
     Exercise,
-    /// The motion of this path, as it was given to [`Watcher::start`].
+    /// The motion of this path, as it was given to [`Baseline::now`].
     Motion(PathBuf),
 }
 
@@ -41,13 +41,33 @@ pub struct Watcher {
 /// What the system said: names of files, or that it may have missed some.
 struct Heard(Vec<PathBuf>);
 
+/// What the files hold at some moment: changes are told from this.
+pub struct Baseline {
+    exercise: PathBuf,
+    motions: Vec<PathBuf>,
+    watched: Vec<Watched>,
+}
+
+impl Baseline {
+    /// What all `*.rs` directly in the folder `exercise`, and the files `motions`, hold now. None of them needs to exist.
+    pub fn now(exercise: &Path, motions: &[PathBuf]) -> Baseline {
+        let sources = Watched::new(Files::SourcesIn(exercise.to_owned()));
+        let ones = motions.iter().map(|path| Watched::new(Files::One(path.clone())));
+        let watched = [sources].into_iter().chain(ones).collect();
+        Baseline { exercise: exercise.to_owned(), motions: motions.to_vec(), watched }
+    }
+}
+
 impl Watcher {
-    /// Watches all `*.rs` directly in the folder `exercise`, and the files `motions`. What they hold now is what
-    /// changes are told from. None of them needs to exist.
-    pub fn start(exercise: &Path, motions: &[PathBuf]) -> Watcher {
+    /// Watches the files of `baseline`, and notices what has changed since then.
+    ///
+    /// `at_once` is called for every change on the thread that notices it, before it is among the
+    /// [`changes`](Watcher::changes).
+    pub fn start(baseline: Baseline, mut at_once: impl FnMut(&Change) + Send + 'static) -> Watcher {
+        let Baseline { exercise, motions, mut watched } = baseline;
         let (alive, heard) = mpsc::channel();
         let folders: BTreeSet<&Path> =
-            motions.iter().map(|path| content::folder_of(path)).chain([exercise]).collect();
+            motions.iter().map(|path| content::folder_of(path)).chain([exercise.as_path()]).collect();
         let (system, trouble) = match listen(&folders, alive.clone()) {
             Ok(system) => (Some(system), None),
             Err(error) => (None, Some(error.to_string())),
@@ -56,11 +76,12 @@ impl Watcher {
             format!("The system does not tell when a file is saved ({why}): it is looked at twice a second instead.")
         });
 
-        let exercise = Watched::new(Files::SourcesIn(exercise.to_owned()));
-        let motions = motions.iter().map(|path| Watched::new(Files::One(path.clone())));
-        let mut watched: Vec<Watched> = [exercise].into_iter().chain(motions).collect();
         let (sender, changes) = mpsc::channel();
-        let work = move || watch(&mut watched, &heard, &sender);
+        let tell = move |change| {
+            at_once(&change);
+            sender.send(change).is_ok()
+        };
+        let work = move || watch(&mut watched, &heard, tell);
         let note = match thread::Builder::new().name("watch".into()).spawn(work) {
             Ok(_) => note,
             Err(error) => Some(format!("Saved files cannot be noticed: {error}")),
@@ -106,8 +127,19 @@ fn matters(kind: EventKind) -> bool {
 }
 
 /// Looks at the files whenever word comes, or it is time to, until the watcher has gone.
-fn watch(watched: &mut [Watched], heard: &Receiver<Heard>, changes: &Sender<Change>) {
+fn watch(watched: &mut [Watched], heard: &Receiver<Heard>, mut tell: impl FnMut(Change) -> bool) {
     loop {
+        for one in watched.iter_mut() {
+            if one.look(Instant::now()) {
+                let change = match one.files() {
+                    Files::SourcesIn(_) => Change::Exercise,
+                    Files::One(path) => Change::Motion(path.clone()),
+                };
+                if !tell(change) {
+                    return;
+                }
+            }
+        }
         let now = Instant::now();
         let next = watched.iter().filter_map(Watched::due).min();
         let wait = next.map_or(POLL, |due| due.saturating_duration_since(now).min(POLL));
@@ -119,17 +151,6 @@ fn watch(watched: &mut [Watched], heard: &Receiver<Heard>, changes: &Sender<Chan
             }
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => return,
-        }
-        for one in watched.iter_mut() {
-            if one.look(Instant::now()) {
-                let change = match one.files() {
-                    Files::SourcesIn(_) => Change::Exercise,
-                    Files::One(path) => Change::Motion(path.clone()),
-                };
-                if changes.send(change).is_err() {
-                    return;
-                }
-            }
         }
     }
 }

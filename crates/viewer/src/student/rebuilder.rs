@@ -1,0 +1,60 @@
+//! Beginning with a new version, from whatever thread notices the save.
+
+use std::io;
+use std::sync::{Arc, Mutex};
+
+use super::lock;
+use super::version::Version;
+use super::work::Desk;
+
+/// Has the student's file built again. Can be handed to the thread that notices a save: no picture need come in
+/// between.
+#[derive(Clone)]
+pub struct Rebuilder {
+    desk: Desk,
+    last: Arc<Mutex<Last>>,
+}
+
+struct Last {
+    version: Version,
+    start: Start,
+    trouble: Option<io::Error>,
+}
+
+/// Starts the thread of a version, whose number comes first; the version before comes last.
+type Start = Box<dyn FnMut(u64, Version, Version) -> io::Result<()> + Send>;
+
+impl Rebuilder {
+    pub(super) fn new(desk: Desk, start: Start) -> Rebuilder {
+        let last = Last { version: Version::default(), start, trouble: None };
+        Rebuilder { desk, last: Arc::new(Mutex::new(last)) }
+    }
+
+    /// The file was saved: the version before is abandoned, whatever it is doing, and the new one built and asked. Does
+    /// not wait for either.
+    pub fn rebuild(&self) {
+        let mut last = lock(&self.last);
+        let before = std::mem::take(&mut last.version);
+        before.abandon();
+        let number = {
+            let mut plan = self.desk.plan();
+            plan.begin();
+            plan.version
+        };
+        self.desk.wake();
+        let version = last.version.clone();
+        last.trouble = (last.start)(number, version, before).err();
+    }
+
+    /// Why the last version has no thread, if so.
+    pub(super) fn take_trouble(&self) -> Option<io::Error> {
+        lock(&self.last).trouble.take()
+    }
+
+    /// Ends the last version.
+    pub(super) fn end(&self) {
+        self.desk.plan().begin();
+        lock(&self.last).version.end();
+        self.desk.wake();
+    }
+}
