@@ -20,6 +20,7 @@ use viewer::draw::Painter;
 use viewer::live::Live;
 use viewer::stage::Stage;
 use viewer::student::Status;
+use viewer::worker;
 
 const ROUNDS: usize = 15;
 const SIZE: (usize, usize) = (1280, 720);
@@ -75,7 +76,7 @@ fn build(course: &Course) {
 
 /// The time from saving edit `number` until its picture is drawn, as the window does it.
 fn picture(course: &Course, stage: &Arc<Stage>, number: usize) -> Duration {
-    let mut live = Live::open(&course.folder, vec![Arc::clone(stage)], Vec::new());
+    let mut live = open(course, stage);
     let mut app = App::new(Arc::clone(stage), "running.bvh".into(), Vec::new(), SIZE);
     app.go_to(FRAME);
     let mut painter = Painter::new();
@@ -110,6 +111,13 @@ fn picture(course: &Course, stage: &Arc<Stage>, number: usize) -> Duration {
         }
         thread::sleep(next.saturating_duration_since(Instant::now()));
     }
+}
+
+/// Watches the copy, and builds it where cargo does so by itself.
+fn open(course: &Course, stage: &Arc<Stage>) -> Live {
+    let folder = course.folder.clone();
+    let build = move |version: &_| worker::compile_into(&folder.join("target"), &folder, version);
+    Live::open_with(&course.folder, vec![Arc::clone(stage)], Vec::new(), build)
 }
 
 fn median(mut times: Vec<Duration>) -> Duration {

@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use exam::WorkerProcess;
+
 use crate::board::Board;
 use crate::stage::Stage;
-use crate::student::{News, Student};
+use crate::student::{News, Student, Version};
 use crate::watch::{Baseline, Change, Watcher};
-use crate::worker;
+use crate::worker::{self, Trouble};
 
 /// The student's functions, the files that are watched, and what the terminal is told.
 pub struct Live {
@@ -22,14 +24,21 @@ impl Live {
     ///
     /// Points, troubles and what the student's functions print go to the terminal.
     pub fn open(workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<PathBuf>) -> Live {
+        let folder = workspace.to_owned();
+        Live::open_with(workspace, stages, motions, move |version| worker::compile(&folder, version))
+    }
+
+    /// The same, with another way to build the exercise.
+    pub fn open_with(
+        workspace: &Path,
+        stages: Vec<Arc<Stage>>,
+        motions: Vec<PathBuf>,
+        build: impl FnMut(&Version) -> Result<WorkerProcess, Trouble> + Send + 'static,
+    ) -> Live {
         // What is saved from here on is noticed; what was saved before is what is built.
         let baseline = Baseline::now(&workspace.join("exercises").join("fk").join("src"), &motions);
-        let (folder, mut terminal) = (workspace.to_owned(), Terminal::default());
-        let student = Student::start(
-            stages,
-            move |version| worker::compile(&folder, version),
-            move |news| terminal.tell(news),
-        );
+        let mut terminal = Terminal::default();
+        let student = Student::start(stages, build, move |news| terminal.tell(news));
         let rebuilder = student.rebuilder();
         let at_once = move |change: &Change| {
             if *change == Change::Exercise {

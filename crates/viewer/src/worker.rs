@@ -43,6 +43,17 @@ pub fn compile(folder: &Path, version: &Version) -> Result<WorkerProcess, Troubl
     run(cargo_build(folder), version)
 }
 
+/// The same, with `target` as the target folder: two copies of the workspace cannot share one.
+///
+/// # Errors
+///
+/// As for [`compile`].
+pub fn compile_into(target: &Path, folder: &Path, version: &Version) -> Result<WorkerProcess, Trouble> {
+    let mut command = cargo_build(folder);
+    command.arg("--target-dir").arg(target);
+    run(command, version)
+}
+
 fn cargo_build(folder: &Path) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     let color = if io::stderr().is_terminal() { "always" } else { "never" };
@@ -177,9 +188,7 @@ mod tests {
 
     /// Compiles it in its own folder, whatever target folder the tests use.
     fn compile_alone(folder: &Path) -> Result<WorkerProcess, Trouble> {
-        let mut command = cargo_build(folder);
-        command.env("CARGO_TARGET_DIR", folder.join("target"));
-        run(command, &Version::default())
+        compile_into(&folder.join("target"), folder, &Version::default())
     }
 
     #[test]
