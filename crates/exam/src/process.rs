@@ -49,6 +49,15 @@ impl WorkerProcess {
         self
     }
 
+    /// The same worker, which hands on `bytes` of print and as many of errors from every process, not 1 MiB.
+    pub fn print_limit(mut self, bytes: usize) -> Self {
+        self.printed.limit = bytes;
+        if let Some(errors) = &mut self.errors {
+            errors.limit = bytes;
+        }
+        self
+    }
+
     /// What ends this worker from another thread.
     pub fn stopper(&self) -> Stopper {
         self.stopper.clone()
@@ -221,11 +230,12 @@ fn no_answer(error: io::Error) -> Failure {
 struct Printed {
     sink: Arc<Mutex<dyn Write + Send>>,
     count: usize,
+    limit: usize,
 }
 
 impl Printed {
     fn to(sink: impl Write + Send + 'static) -> Self {
-        Printed { sink: Arc::new(Mutex::new(sink)), count: 0 }
+        Printed { sink: Arc::new(Mutex::new(sink)), count: 0, limit: PRINT_LIMIT }
     }
 }
 
@@ -234,9 +244,9 @@ impl Write for Printed {
         let mut sink = self.sink.lock().unwrap_or_else(PoisonError::into_inner);
         let before = self.count;
         self.count = before.saturating_add(bytes.len());
-        let allowed = PRINT_LIMIT.saturating_sub(before).min(bytes.len());
+        let allowed = self.limit.saturating_sub(before).min(bytes.len());
         sink.write_all(&bytes[..allowed])?;
-        if before <= PRINT_LIMIT && self.count > PRINT_LIMIT {
+        if before <= self.limit && self.count > self.limit {
             writeln!(sink, "\n(your code prints very much: the rest is left out)")?;
         }
         Ok(bytes.len())

@@ -40,8 +40,8 @@ fn main() {
     // The first round warms up.
     let (mut builds, mut pictures) = (Vec::new(), Vec::new());
     for round in 0..=ROUNDS {
-        course.save(&edit(2 * round + 1));
         let start = Instant::now();
+        course.save(&edit(2 * round + 1));
         build(&course);
         let built = start.elapsed();
         let shown = picture(&course, &stage, 2 * round + 2);
@@ -101,8 +101,8 @@ fn picture(course: &Course, stage: &Arc<Stage>, number: usize) -> Duration {
     let place = |live: &Live| live.student().pose(0, FRAME).unwrap().pose.transforms()[0].position.x;
     let before = place(&live);
 
-    course.save(&edit(number));
     let start = Instant::now();
+    course.save(&edit(number));
     loop {
         let next = Instant::now() + PICTURE;
         let standing = draw(&mut live);

@@ -102,7 +102,9 @@ fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble
 fn worker(executable: &Path, version: &Version) -> WorkerProcess {
     let worker = WorkerProcess::new(Command::new(executable))
         .printing_to(version.voice(io::stdout()))
-        .errors_to(version.voice(io::stderr()));
+        .errors_to(version.voice(io::stderr()))
+        // The voices have a limit of their own, for every question.
+        .print_limit(usize::MAX);
     let stopper = worker.stopper();
     version.when_abandoned(move || stopper.stop());
     worker

@@ -47,6 +47,8 @@ pub(super) struct MotionPlan {
     pieces: Pieces,
     /// Some frame was answered: the functions do come back.
     warm: bool,
+    /// The frame that was asked last while it was on show.
+    heard: Option<usize>,
 }
 
 /// One thing to ask.
@@ -85,7 +87,8 @@ impl Plan {
         self.motions.iter_mut().for_each(MotionPlan::begin);
     }
 
-    /// What to ask next. With `talkative` functions no frame is asked before it is shown: its print belongs to it.
+    /// What to ask next. Functions that are `talkative` are asked again about a frame when it comes on show: then is the
+    /// time for what they print.
     pub(super) fn next(&self, talkative: bool) -> Option<Task> {
         self.urgent(talkative).or_else(|| {
             if let Some((index, frame)) = self.locals {
@@ -95,7 +98,7 @@ impl Plan {
                 return Some(Task::Grade);
             }
             let all = self.motions.iter().map(|motion| motion.window.len()).max().unwrap_or(0);
-            self.ahead(all, talkative)
+            self.ahead(all)
         })
     }
 
@@ -105,7 +108,7 @@ impl Plan {
             return None;
         }
         let on_show = (0..self.motions.len()).find_map(|index| self.on_show(index, talkative));
-        on_show.or_else(|| self.ahead(AHEAD, talkative))
+        on_show.or_else(|| self.ahead(AHEAD))
     }
 
     fn on_show(&self, index: usize, talkative: bool) -> Option<Task> {
@@ -114,11 +117,12 @@ impl Plan {
         let (frames, state) = motion.pieces.at(motion.shown)?;
         let single = Task::Frames { at: at.clone(), frames: motion.shown..motion.shown + 1, on_show: true };
         match state {
+            State::Settled if talkative && motion.heard != Some(motion.shown) => Some(single),
             State::Settled | State::Bad { narrowed: true, .. } => None,
             State::Bad { failure, .. } => {
                 Some(Task::Joint { at, frame: motion.shown, failure: Arc::clone(failure) })
             }
-            State::Fresh if motion.warm && !talkative && !self.is_tired() => {
+            State::Fresh if motion.warm && !self.is_tired() => {
                 Some(Task::Frames { at, frames, on_show: false })
             }
             State::Fresh | State::Suspect => Some(single),
@@ -126,8 +130,8 @@ impl Plan {
     }
 
     /// The nearest frames without an answer that are less than `batches` away.
-    fn ahead(&self, batches: usize, talkative: bool) -> Option<Task> {
-        if talkative || self.is_tired() {
+    fn ahead(&self, batches: usize) -> Option<Task> {
+        if self.is_tired() {
             return None;
         }
         (0..batches).find_map(|rank| {
@@ -158,6 +162,13 @@ impl Plan {
     /// Whether an endless loop or a crash has been met.
     pub(super) fn is_wary(&self) -> bool {
         self.costly > 0
+    }
+
+    /// The frame is asked while it is on show.
+    pub(super) fn hear(&mut self, at: &Motion, frame: usize) {
+        if let Some(motion) = self.motion(at) {
+            motion.heard = Some(frame);
+        }
     }
 
     /// The frames are answered.
@@ -202,14 +213,21 @@ impl MotionPlan {
     pub(super) fn new(stage: Arc<Stage>, reading: u64, most_batches: usize) -> MotionPlan {
         let batch_size = (JOINTS_PER_BATCH / stage.motion().skeleton().len().max(1)).max(1);
         let window = Window::new(stage.frame_count(), batch_size, most_batches);
-        let mut motion =
-            MotionPlan { stage, reading, shown: 0, window, pieces: Pieces::default(), warm: false };
+        let mut motion = MotionPlan {
+            stage,
+            reading,
+            shown: 0,
+            window,
+            pieces: Pieces::default(),
+            warm: false,
+            heard: None,
+        };
         motion.begin();
         motion
     }
 
     fn begin(&mut self) {
-        self.warm = false;
+        (self.warm, self.heard) = (false, None);
         self.pieces.clear();
         (0..self.window.count()).for_each(|batch| self.forget(batch));
     }

@@ -1,10 +1,13 @@
 //! One saved state of the student's file.
 
 use std::io::{self, Write};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use super::lock;
+
+/// Bytes that the functions may print about one question.
+const PRINT_LIMIT: usize = 256 * 1024;
 
 /// One saved state of the student's file, from when it is built until the next one is saved.
 ///
@@ -20,6 +23,8 @@ struct Inner {
     hushed: AtomicBool,
     /// Something was printed.
     printed: AtomicBool,
+    /// Bytes that were printed about this question and reached the user.
+    heard: AtomicUsize,
 }
 
 type LastAct = Box<dyn FnOnce() + Send>;
@@ -41,8 +46,9 @@ impl Version {
         }
     }
 
-    /// A way to `sink` for what the functions print. It is closed while they are asked for what is not on show.
-    pub fn voice(&self, sink: impl Write + Send + 'static) -> impl Write + Send + 'static {
+    /// A way to `sink` for what the functions print, as long as it is not very much. It is closed while they are asked
+    /// for what is not on show.
+    pub fn voice<W: Write + Send + 'static>(&self, sink: W) -> impl Write + Send + use<W> {
         Voice { version: self.clone(), sink }
     }
 
@@ -61,6 +67,7 @@ impl Version {
     /// Closes or opens the way for print.
     pub(super) fn hush(&self, hushed: bool) {
         self.0.hushed.store(hushed, Ordering::SeqCst);
+        self.0.heard.store(0, Ordering::SeqCst);
     }
 
     /// Whether the functions have printed anything.
@@ -80,7 +87,13 @@ impl<W: Write> Write for Voice<W> {
         if self.version.0.hushed.load(Ordering::SeqCst) || self.version.is_abandoned() {
             return Ok(bytes.len());
         }
-        self.sink.write(bytes)
+        let before = self.version.0.heard.fetch_add(bytes.len(), Ordering::SeqCst);
+        let allowed = PRINT_LIMIT.saturating_sub(before).min(bytes.len());
+        self.sink.write_all(&bytes[..allowed])?;
+        if before <= PRINT_LIMIT && before + bytes.len() > PRINT_LIMIT {
+            writeln!(self.sink, "\n(your code prints very much: the rest is left out)")?;
+        }
+        Ok(bytes.len())
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -126,5 +139,28 @@ mod tests {
         assert!(version.is_talkative());
         drop(voice);
         assert_eq!(io::read_to_string(&mut reader).unwrap(), "shown again");
+    }
+
+    #[test]
+    fn a_flood_is_cut_off_once_for_every_question() {
+        #[derive(Clone, Default)]
+        struct Sink(Arc<Mutex<Vec<u8>>>);
+        impl Write for Sink {
+            fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+                self.0.lock().unwrap().write(bytes)
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Ok(())
+            }
+        }
+        let (version, sink) = (Version::default(), Sink::default());
+        let mut voice = version.voice(sink.clone());
+        for _ in 0..2 {
+            version.hush(false);
+            (0..2000).for_each(|_| voice.write_all(&[b'.'; 1000]).unwrap());
+        }
+        let text = String::from_utf8(sink.0.lock().unwrap().clone()).unwrap();
+        assert_eq!(text.matches("the rest is left out").count(), 2);
+        assert_eq!(text.matches('.').count(), 2 * PRINT_LIMIT);
     }
 }

@@ -1,6 +1,7 @@
 //! The thread that builds one version and asks it.
 
 use std::io;
+use std::ops::Range;
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock};
 use std::time::Duration;
@@ -110,39 +111,8 @@ impl Work {
     fn perform(&mut self, task: Task, subject: &mut impl Subject) -> Result<(), Gone> {
         self.version.hush(!matches!(task, Task::Frames { on_show: true, .. }));
         match task {
-            Task::Frames { at, frames, on_show } => {
-                let limit = match frames.len() {
-                    1 => FRAME_LIMIT,
-                    _ if self.desk.plan().is_wary() => FRAME_LIMIT,
-                    _ => PATIENCE,
-                };
-                let asked = frames.clone().map(|index| at.stage.frame(index)).collect();
-                match ask::poses(subject, &at.stage, asked, limit) {
-                    Ok(poses) => {
-                        self.desk.plan().settle(&at, frames.clone());
-                        self.send(Event::Frames(at, frames.start, poses));
-                        if on_show {
-                            // What was written to the standard error is under way for a little longer than the answer.
-                            let _ = ask::warm_up(subject);
-                        }
-                    }
-                    Err(failure) => {
-                        self.check(&failure)?;
-                        self.desk.plan().fail(&at, frames.clone(), &failure);
-                        if frames.len() == 1 {
-                            self.show(at, frames.start, &failure, Place::default());
-                        }
-                    }
-                }
-            }
-            Task::Joint { at, frame, failure } => {
-                let place = narrow::find(subject, &at.stage, frame, &failure);
-                let trouble = self.show(at.clone(), frame, &failure, place);
-                self.desk.plan().narrowed(&at, frame, failure);
-                if !std::mem::replace(&mut self.told, true) {
-                    self.tell(News::Trouble(trouble));
-                }
-            }
+            Task::Frames { at, frames, on_show } => self.frames(at, frames, on_show, subject)?,
+            Task::Joint { at, frame, failure } => self.joint(at, frame, failure, subject),
             Task::Locals { at, frame } => {
                 let joints = at.stage.motion().skeleton().joints();
                 let locals = ask::locals(subject, joints, at.stage.frame(frame).angles, FRAME_LIMIT);
@@ -158,6 +128,55 @@ impl Work {
             }
         }
         Ok(())
+    }
+
+    fn frames(
+        &mut self,
+        at: Motion,
+        frames: Range<usize>,
+        on_show: bool,
+        subject: &mut impl Subject,
+    ) -> Result<(), Gone> {
+        if on_show {
+            self.desk.plan().hear(&at, frames.start);
+        }
+        let patient = frames.len() > 1 && !self.desk.plan().is_wary();
+        let limit = if patient { PATIENCE } else { FRAME_LIMIT };
+        let asked = frames.clone().map(|index| at.stage.frame(index)).collect();
+        match ask::poses(subject, &at.stage, asked, limit) {
+            Ok(poses) => {
+                self.desk.plan().settle(&at, frames.clone());
+                self.send(Event::Frames(at, frames.start, poses));
+                if on_show {
+                    // What was written to the standard error is under way for a little longer than the answer.
+                    let _ = ask::warm_up(subject);
+                }
+            }
+            Err(failure) => {
+                self.check(&failure)?;
+                self.desk.plan().fail(&at, frames.clone(), &failure);
+                if frames.len() == 1 {
+                    self.show(at, frames.start, &failure, Place::default());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn joint(&mut self, at: Motion, frame: usize, failure: Arc<Failure>, subject: &mut impl Subject) {
+        let place = narrow::find(subject, &at.stage, frame, &failure);
+        if place.joint.is_none()
+            && let Ok(poses) = ask::poses(subject, &at.stage, vec![at.stage.frame(frame)], FRAME_LIMIT)
+        {
+            // It comes back after all: the machine was busy with something else, or the functions are moody.
+            self.desk.plan().settle(&at, frame..frame + 1);
+            return self.send(Event::Frames(at, frame, poses));
+        }
+        let trouble = self.show(at.clone(), frame, &failure, place);
+        self.desk.plan().narrowed(&at, frame, failure);
+        if !std::mem::replace(&mut self.told, true) {
+            self.tell(News::Trouble(trouble));
+        }
     }
 
     /// Whether the functions can still be asked after `failure`.
