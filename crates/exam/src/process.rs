@@ -49,7 +49,8 @@ impl WorkerProcess {
         self
     }
 
-    /// The same worker, which hands on `bytes` of print and as many of errors from every process, not 1 MiB.
+    /// The same worker, which hands on `bytes` of print, and as many of errors, from every process, instead of 1 MiB.
+    /// To be called when it is settled where these go.
     pub fn print_limit(mut self, bytes: usize) -> Self {
         self.printed.limit = bytes;
         if let Some(errors) = &mut self.errors {

@@ -12,7 +12,7 @@ pub(crate) struct Found {
     pub(crate) words: Vec<String>,
     /// `file:line:column`
     pub(crate) place: Option<String>,
-    /// The line of the source, and below it marks where the error is.
+    /// The line of the source, and which piece of it is meant.
     pub(crate) source: Vec<String>,
 }
 
@@ -55,20 +55,23 @@ fn outermost(span: &Value) -> &Value {
     span
 }
 
-/// The source's line and marks below what is meant, as far as they are not too long to be shown.
+/// The source's line, and the piece of it that is meant with what is wrong with it. The window's letters differ in
+/// width: marks below the line would stand in the wrong place.
 fn source(span: &Value) -> Vec<String> {
     let Some(text) = span["text"][0]["text"].as_str() else { return Vec::new() };
     let number = |name: &str| span["text"][0][name].as_u64().map_or(1, |at| at.max(1) as usize);
     let (from, to) = (number("highlight_start") - 1, number("highlight_end") - 1);
-    let line: String = text.chars().take(WIDTH).map(|c| if c == '\t' { ' ' } else { c }).collect();
-    let mut lines = vec![parser::printable(line.trim_end())];
-    if from < WIDTH {
-        let label: String = span["label"].as_str().unwrap_or_default().chars().take(WIDTH).collect();
-        let marks = "^".repeat(to.saturating_sub(from).clamp(1, WIDTH - from));
-        lines
-            .push(format!("{}{marks} {}", " ".repeat(from), parser::printable(&label)).trim_end().to_owned());
-    }
-    lines
+    let short = |text: &str| parser::printable(&text.chars().take(WIDTH).collect::<String>());
+    let piece: String = text.chars().skip(from).take(to.saturating_sub(from)).collect();
+    let piece = short(piece.trim());
+    let label = short(span["label"].as_str().unwrap_or_default());
+    let mark = match (piece.is_empty(), label.is_empty()) {
+        (false, false) => Some(format!("{piece}  <- {label}")),
+        (false, true) => Some(format!("{piece}  <- here")),
+        (true, false) => Some(label),
+        (true, true) => None,
+    };
+    [short(text.trim())].into_iter().chain(mark).collect()
 }
 
 /// `line` without the escape sequences that set colours: ESC `[` … letter.
@@ -105,7 +108,7 @@ mod tests {
             let diagnostic =
                 json!({"level": "error", "message": "no", "spans": [span(start, end, "let é = 1;")]});
             let found = error(&diagnostic).unwrap();
-            assert!(found.source.iter().all(|line| line.chars().count() <= 2 * WIDTH), "{found:?}");
+            assert!(found.source.iter().all(|line| line.chars().count() <= 3 * WIDTH), "{found:?}");
         }
         for odd in [json!({"level": "warning"}), json!(null), json!([1]), json!({"level": 3})] {
             assert_eq!(error(&odd), None);

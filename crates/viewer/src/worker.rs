@@ -199,10 +199,8 @@ mod tests {
         let trouble = compile_alone(folder.path()).err().unwrap();
         assert_eq!(trouble.headline, "your code does not compile");
         assert_eq!(trouble.details[..2], ["error[E0308]: mismatched types", "worker.rs:2:17"]);
-        assert_eq!(
-            trouble.details[2..4],
-            ["    let x: u8 = \"text\";", "                ^^^^^^ expected `u8`, found `&str`"]
-        );
+        let source = ["let x: u8 = \"text\";", "\"text\"  <- expected `u8`, found `&str`"];
+        assert_eq!(trouble.details[2..4], source);
     }
 
     #[test]

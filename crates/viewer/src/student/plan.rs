@@ -116,8 +116,12 @@ impl Plan {
         let at = self.at(index)?;
         let (frames, state) = motion.pieces.at(motion.shown)?;
         let single = Task::Frames { at: at.clone(), frames: motion.shown..motion.shown + 1, on_show: true };
+        let is_unheard = talkative && motion.heard != Some(motion.shown);
         match state {
-            State::Settled if talkative && motion.heard != Some(motion.shown) => Some(single),
+            State::Settled if is_unheard => Some(single),
+            State::Bad { failure, .. } if is_unheard && matches!(**failure, Failure::Panicked { .. }) => {
+                Some(single)
+            }
             State::Settled | State::Bad { narrowed: true, .. } => None,
             State::Bad { failure, .. } => {
                 Some(Task::Joint { at, frame: motion.shown, failure: Arc::clone(failure) })

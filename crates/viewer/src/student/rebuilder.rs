@@ -19,6 +19,8 @@ struct Last {
     version: Version,
     start: Start,
     trouble: Option<io::Error>,
+    /// The viewer has gone.
+    ended: bool,
 }
 
 /// Starts the thread of a version, whose number comes first; the version before comes last.
@@ -26,7 +28,7 @@ type Start = Box<dyn FnMut(u64, Version, Version) -> io::Result<()> + Send>;
 
 impl Rebuilder {
     pub(super) fn new(desk: Desk, start: Start) -> Rebuilder {
-        let last = Last { version: Version::default(), start, trouble: None };
+        let last = Last { version: Version::default(), start, trouble: None, ended: false };
         Rebuilder { desk, last: Arc::new(Mutex::new(last)) }
     }
 
@@ -34,6 +36,9 @@ impl Rebuilder {
     /// not wait for either.
     pub fn rebuild(&self) {
         let mut last = lock(&self.last);
+        if last.ended {
+            return;
+        }
         let before = std::mem::take(&mut last.version);
         before.abandon();
         let number = {
@@ -53,8 +58,10 @@ impl Rebuilder {
 
     /// Ends the last version.
     pub(super) fn end(&self) {
+        let mut last = lock(&self.last);
+        last.ended = true;
+        last.version.end();
         self.desk.plan().begin();
-        lock(&self.last).version.end();
         self.desk.wake();
     }
 }

@@ -110,3 +110,21 @@ fn a_frame_that_is_answered_after_all_is_shown() {
     update_until(&mut student, &[0], is_current(0, 0));
     assert_eq!(student.standing(0, 0).status, Status::Answered);
 }
+
+#[test]
+fn after_the_viewer_has_gone_nothing_is_built() {
+    let builds = Arc::new(AtomicUsize::new(0));
+    let count = Arc::clone(&builds);
+    let open = move |_: &Version| {
+        count.fetch_add(1, Ordering::SeqCst);
+        Ok(solution())
+    };
+    let mut student = Student::start(vec![stage(5)], open, quiet);
+    update_until(&mut student, &[0], is_current(0, 0));
+    let rebuilder = student.rebuilder();
+    rebuilder.rebuild();
+    update_until(&mut student, &[0], |_| builds.load(Ordering::SeqCst) == 2);
+    drop(student);
+    rebuilder.rebuild();
+    assert_eq!(builds.load(Ordering::SeqCst), 2);
+}
