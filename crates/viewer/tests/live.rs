@@ -5,7 +5,7 @@
 #[path = "../../grading/tests/support/mod.rs"]
 mod support;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
@@ -35,8 +35,8 @@ impl Desk {
         // The tests of the grading use this copy too: what it is built with is built already.
         let course = Course::open("a course with spaces");
         course.save(source);
-        let motion = parser::bvh::read_file(format!("{}/data/arm.bvh", support::WORKSPACE)).unwrap().motion;
-        let stage = Arc::new(Stage::new(motion, PositionChannels::Replace));
+        fs::copy(format!("{}/data/arm.bvh", support::WORKSPACE), motion_file(&course)).unwrap();
+        let stage = read_stage(&course);
         let live = open(&course, &stage);
         Desk { course, stage, live, shown: 0 }
     }
@@ -69,7 +69,16 @@ impl Desk {
 fn open(course: &Course, stage: &Arc<Stage>) -> Live {
     let folder = course.folder.clone();
     let build = move |version: &_| worker::compile_into(&folder.join("target"), &folder, version);
-    Live::open_with(&course.folder, vec![Arc::clone(stage)], Vec::new(), build)
+    Live::open_with(&course.folder, vec![Arc::clone(stage)], vec![motion_file(course)], build)
+}
+
+fn motion_file(course: &Course) -> PathBuf {
+    course.folder.join("a motion.bvh")
+}
+
+fn read_stage(course: &Course) -> Arc<Stage> {
+    let motion = parser::bvh::read_file(motion_file(course)).unwrap().motion;
+    Arc::new(Stage::new(motion, PositionChannels::Replace))
 }
 
 fn current(standing: &Standing) -> Option<()> {
@@ -131,6 +140,27 @@ fn a_save_swaps_the_picture_an_error_is_told_with_its_line_and_the_last_good_pos
     let root = &desk.stage.motion().skeleton().joints()[0].name;
     assert_eq!(trouble.details, [format!("at joint {root}, in frame 0"), "in part3, global_position".into()]);
     assert_eq!((desk.standing().current, desk.off()), (false, 7.0));
+}
+
+#[test]
+fn a_motion_that_is_saved_is_asked_again() {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut desk = Desk::open(&with_root("local_position + 5.0 * Vec3::X"));
+    desk.until("the first pose", current);
+    let text = fs::read_to_string(motion_file(&desk.course)).unwrap();
+    fs::write(motion_file(&desk.course), text.replace("OFFSET 0", "OFFSET 1")).unwrap();
+    let start = Instant::now();
+    while desk.live.update(&[0]) != [0] {
+        assert!(start.elapsed() < PATIENCE, "the motion's save was not noticed");
+        thread::sleep(Duration::from_millis(1));
+    }
+    let before = desk.stage.motion().skeleton().clone();
+    desk.stage = read_stage(&desk.course);
+    assert_ne!(*desk.stage.motion().skeleton(), before);
+    desk.live.replace_stage(0, Arc::clone(&desk.stage));
+    assert_eq!(desk.standing().status, Status::Asking, "nothing is built");
+    desk.until("the new motion's pose", current);
+    assert_eq!(desk.off(), 5.0);
 }
 
 /// The next save ends the loop's process at once; without one it would be ended within seconds.
