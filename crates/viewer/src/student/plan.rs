@@ -64,10 +64,11 @@ pub(super) enum Task {
     Grade,
 }
 
-/// The motion that a task is about, as it was read last.
+/// The motion that a task is about, as it was read last, and the version that is asked.
 #[derive(Clone, Debug)]
 pub(super) struct Motion {
     pub(super) index: usize,
+    pub(super) version: u64,
     pub(super) reading: u64,
     pub(super) stage: Arc<Stage>,
 }
@@ -150,7 +151,12 @@ impl Plan {
 
     fn at(&self, index: usize) -> Option<Motion> {
         let motion = self.motions.get(index)?;
-        Some(Motion { index, reading: motion.reading, stage: Arc::clone(&motion.stage) })
+        Some(Motion {
+            index,
+            version: self.version,
+            reading: motion.reading,
+            stage: Arc::clone(&motion.stage),
+        })
     }
 
     /// Whether so much has failed that nothing is asked ahead of time.
@@ -187,9 +193,11 @@ impl Plan {
     pub(super) fn fail(&mut self, at: &Motion, frames: Range<usize>, failure: &Failure) {
         let costly = !matches!(failure, Failure::Panicked { .. });
         let single = frames.len() == 1;
-        self.costly += usize::from(costly);
-        self.costly_frames += usize::from(costly && single);
-        self.panics += usize::from(!costly && single);
+        if self.motion(at).is_some() {
+            self.costly += usize::from(costly);
+            self.costly_frames += usize::from(costly && single);
+            self.panics += usize::from(!costly && single);
+        }
         let Some(motion) = self.motion(at) else { return };
         if single {
             let failure = Arc::new(failure.clone());
@@ -209,7 +217,9 @@ impl Plan {
     }
 
     fn motion(&mut self, at: &Motion) -> Option<&mut MotionPlan> {
-        self.motions.get_mut(at.index).filter(|motion| motion.reading == at.reading)
+        // Nothing that an abandoned version answers settles anything.
+        let motion = self.motions.get_mut(at.index).filter(|motion| motion.reading == at.reading);
+        motion.filter(|_| self.version == at.version)
     }
 }
 

@@ -169,6 +169,65 @@ fn what_an_abandoned_version_finds_out_is_not_looked_at() {
     assert_eq!(opened.load(Ordering::SeqCst), 2);
 }
 
+/// Answers for its first frame only when it may, and says when it was asked and when it has gone.
+struct Late {
+    functions: Scripted,
+    may: Option<Receiver<()>>,
+    said: mpsc::Sender<()>,
+}
+
+impl Subject for Late {
+    fn ask(&mut self, question: &Question, limit: Duration) -> Result<Answer, Failure> {
+        let is_frame =
+            matches!(question, Question::Fk(exam::fk::Question::Poses { frames, .. }) if !frames.is_empty());
+        if let Some(may) = self.may.take_if(|_| is_frame) {
+            self.said.send(()).unwrap();
+            may.recv().unwrap();
+        }
+        self.functions.ask(question, limit)
+    }
+}
+
+impl Drop for Late {
+    fn drop(&mut self) {
+        // The last one goes with the test.
+        let _ = self.said.send(());
+    }
+}
+
+#[test]
+fn an_answer_that_comes_after_the_next_save_does_not_take_its_place() {
+    for second_is_there in [false, true] {
+        let (answer, may) = mpsc::channel();
+        let (go, wait) = mpsc::channel::<()>();
+        let (said, first) = mpsc::channel();
+        let mut versions = vec![(100.0, None), (0.0, Some(may))];
+        let open = move |_: &Version| {
+            let (height, may) = versions.pop().unwrap();
+            if may.is_none() {
+                wait.recv().unwrap();
+            }
+            Ok(Late { functions: lifted(height), may, said: said.clone() })
+        };
+        let mut student = Student::start(vec![stage(3)], open, quiet);
+        first.recv().unwrap();
+        student.rebuild();
+        let is_graded = |student: &Student| student.standing(0, 0).board.is_some();
+        if second_is_there {
+            go.send(()).unwrap();
+            update_until(&mut student, &[0], is_graded);
+        }
+        // The first version's thread sends its answer, and then drops the functions.
+        answer.send(()).unwrap();
+        first.recv().unwrap();
+        student.update(&[0]);
+        let _ = go.send(());
+        update_until(&mut student, &[0], is_graded);
+        assert!(student.standing(0, 0).current);
+        assert!((height(&student, 0) - height_of_reference() - 100.0).abs() < 1.0);
+    }
+}
+
 fn height_of_reference() -> f32 {
     stage(3).reference(0).transforms()[0].position.y
 }
