@@ -183,6 +183,10 @@ impl Student {
     pub fn update(&mut self, shown: &[usize]) -> bool {
         let mut news = self.follow();
         while let Ok((number, event)) = self.events.try_recv() {
+            if number > self.number {
+                // The save was noticed just now, on another thread.
+                self.follow();
+            }
             if number == self.number {
                 self.take(event);
                 news = true;

@@ -193,11 +193,6 @@ impl Plan {
     pub(super) fn fail(&mut self, at: &Motion, frames: Range<usize>, failure: &Failure) {
         let costly = !matches!(failure, Failure::Panicked { .. });
         let single = frames.len() == 1;
-        if self.motion(at).is_some() {
-            self.costly += usize::from(costly);
-            self.costly_frames += usize::from(costly && single);
-            self.panics += usize::from(!costly && single);
-        }
         let Some(motion) = self.motion(at) else { return };
         if single {
             let failure = Arc::new(failure.clone());
@@ -207,6 +202,9 @@ impl Plan {
             motion.pieces.set(frames.start..middle, State::Suspect);
             motion.pieces.set(middle..frames.end, State::Suspect);
         }
+        self.costly += usize::from(costly);
+        self.costly_frames += usize::from(costly && single);
+        self.panics += usize::from(!costly && single);
     }
 
     /// It was looked for the joint at which the frame fails.
