@@ -119,7 +119,9 @@ impl Net {
         let length = capsule.length + 2.0 * capsule.radius;
         let along = (length * per_length).clamp(ALONG.0, ALONG.1) as usize;
         let around = (TAU * capsule.radius * per_length).clamp(AROUND.0, AROUND.1) as usize;
-        let one = capsule.axis.any_orthonormal_vector();
+        // Turned to the sun, so that the net does not jump over the body when the bone moves a little.
+        let across = capsule.axis.cross(SUN);
+        let one = across.try_normalize().unwrap_or_else(|| capsule.axis.any_orthonormal_vector());
         Net {
             first,
             along,
