@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use exam::{Functions, InProcess};
 use glam::{Quat, Vec3};
 use skeleton::{FkFunctions, JointId, Motion, Pose, PositionChannels, Transform};
 
 use crate::answers::Recorded;
 use crate::app::{App, Shown};
+use crate::board::Board;
 use crate::canvas::{Canvas, Color, Weight};
 use crate::draw::Painter;
 use crate::scene::{Axes, Dot, Figure, Look, Mark, Scene, Side, Style, Tint};
@@ -27,12 +29,13 @@ impl Picture {
 }
 
 /// All pictures.
-pub const PICTURES: [Picture; 9] = [
+pub const PICTURES: [Picture; 10] = [
     Picture { name: "stub-frame-0", draw: |studio| studio.window(STUB, 0) },
     Picture { name: "stub-frame-300", draw: |studio| studio.window(STUB, 300) },
     Picture { name: "part-1", draw: |studio| studio.window(PART_1, 40) },
     Picture { name: "parts-1-and-2", draw: |studio| studio.window(PARTS_1_AND_2, 40) },
     Picture { name: "solved", draw: |studio| studio.window(solutions::FK, 300) },
+    Picture { name: "window", draw: Studio::joint },
     Picture { name: "rest-pose", draw: Studio::rest_pose },
     Picture { name: "local-and-global", draw: Studio::local_and_global },
     Picture { name: "run", draw: Studio::run },
@@ -52,6 +55,14 @@ const PARTS_1_AND_2: FkFunctions =
     FkFunctions { global_quaternion: solutions::FK.global_quaternion, ..PART_1 };
 
 const SIZE: (usize, usize) = (960, 540);
+
+/// Part 3 without the parent's rotation: what the viewer's page shows.
+const UNTURNED: FkFunctions = FkFunctions {
+    global_position: |joint, local_position, pose| {
+        local_position + joint.parent.map_or(Vec3::ZERO, |parent| pose[parent].position)
+    },
+    ..solutions::FK
+};
 
 /// A motion, and what is needed to draw it.
 pub struct Studio {
@@ -73,6 +84,19 @@ impl Studio {
         let recorded = Recorded::of(&functions, &self.stage, 0..=frame);
         let shown = Shown::Student(&recorded);
         self.draw(&app.scene(shown, SIZE), SIZE)
+    }
+
+    /// The window with all that it says: points, and a joint that is off.
+    fn joint(&mut self) -> Canvas {
+        const SIZE: (usize, usize) = (1280, 720);
+        const FRAME: usize = 56;
+        let mut app = App::new(self.stage.clone(), "running.bvh".into(), Vec::new(), SIZE);
+        app.go_to(FRAME);
+        app.select(self.bone_to("LeftLeg").map(|(_, joint)| joint.0));
+        let mut recorded = Recorded::of(&UNTURNED, &self.stage, 0..=FRAME);
+        let mut subject = InProcess(Functions::Fk(UNTURNED));
+        recorded.standing.board = Some(Arc::new(Board::of(&mut subject)));
+        self.draw(&app.scene(Shown::Student(&recorded), SIZE), SIZE)
     }
 
     /// The skeleton with nothing turned: every joint's name and axes.
@@ -167,6 +191,7 @@ impl Studio {
             let frame = column * STEP;
             let figure = self.stage.figure(&self.stage.reference(frame), Look::Solid, false);
             let mut scene = self.scene(vec![figure], Vec::new());
+            scene.style = Style::Lit;
             scene.camera = self.stage.camera(self.stage.anchor(frame), &[], TILE);
             let mut tile = self.draw(&scene, TILE);
             let text = format!("frame {frame}");
@@ -191,6 +216,7 @@ impl Studio {
             figures.push(self.stage.figure(&self.stage.reference(frame), look, frame == LAST));
         }
         let mut scene = self.scene(figures, Vec::new());
+        scene.style = Style::Lit;
         // From ahead of the runner, so that the echoes stand behind, and to the right of it.
         let runner = scene.figures.last().map(|figure| figure.joints.clone()).unwrap_or_default();
         (scene.camera.azimuth, scene.camera.elevation) = (scene.camera.azimuth - AHEAD, 0.12);

@@ -2,7 +2,7 @@
 
 use super::Facts;
 use super::number::Rounded;
-use crate::scene::{Line, Off, Panel, Side, Tint};
+use crate::scene::{Line, Off, Panel, Side, Style, Tint};
 
 pub fn write(facts: &Facts, panel: &mut Panel) {
     let (app, stage) = (facts.app, facts.app.stage());
@@ -15,7 +15,7 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
     if stage.has_sides() {
         panel.add(Line::Legend(Tint::Bone(Side::Left)), "left");
         panel.add(Line::Legend(Tint::Bone(Side::Right)), "right");
-    } else {
+    } else if app.settings.style == Style::Lines {
         panel.add(Line::Legend(Tint::Bone(Side::Middle)), "bone");
     }
     if app.settings.axes {
