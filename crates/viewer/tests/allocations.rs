@@ -3,9 +3,13 @@
 
 mod support;
 
+use std::sync::Arc;
+
+use viewer::answers::Recorded;
+use viewer::app::{App, Shown};
 use viewer::canvas::Canvas;
 use viewer::draw::Painter;
-use viewer::scene::{Look, Style};
+use viewer::scene::{Look, Scene, Style};
 
 const SIZE: (usize, usize) = (960, 540);
 
@@ -40,6 +44,31 @@ fn the_second_picture_of_a_frame_and_a_paler_one_allocate_nothing() {
     scene.figures.items_mut()[1].look = Look::Dimmed;
     let paler = allocation_counter::measure(|| painter.draw(&scene, &mut canvas));
     assert_eq!(paler.count_total, 0, "{paler:?}");
+}
+
+/// From the frame's angles to pixels, as the window does it for the reference and for a student, with a joint chosen.
+#[test]
+fn the_window_allocates_nothing_from_picture_to_picture() {
+    const FRAMES: usize = 60;
+    let stage = Arc::new(support::stage());
+    let answers = Recorded::of(&solutions::FK, &stage, 0..FRAMES);
+    for shown in [Shown::Reference, Shown::Student(&answers)] {
+        let mut app = App::new(stage.clone(), "running.bvh".into(), Vec::new(), SIZE);
+        app.select(Some(3));
+        let (mut painter, mut canvas, mut scene) =
+            (Painter::new(), Canvas::new(SIZE.0, SIZE.1), Scene::default());
+        let mut show = |frame: usize| {
+            app.go_to(frame);
+            app.fill(&mut scene, shown, SIZE);
+            painter.draw(&scene, &mut canvas);
+        };
+        // Every letter and every trace has been there once.
+        (0..FRAMES).for_each(&mut show);
+        for frame in [0, 1, 2, 30, 31, 59, 4] {
+            let counted = allocation_counter::measure(|| show(frame));
+            assert_eq!(counted.count_total, 0, "frame {frame}: {counted:?}");
+        }
+    }
 }
 
 #[test]
