@@ -15,8 +15,13 @@ const ON_RADIUS: f32 = 10.0;
 /// Room for silhouettes, in widths and heights of the picture: more than a body has.
 const ROOM_FOR_EDGES: usize = 16;
 
-/// Balls of two bones at one joint may be the same: the second must be nearer by more than rounding to be seen.
-const CLEARLY: f32 = 1.0 - 1e-4;
+/// Balls of two bones at one joint may be the same: the second must be nearer by this, in depths, to be seen.
+const CLEARLY: f32 = 1e-4;
+
+/// Surfaces that come nearer to each other by less than this from pixel to pixel touch rather than cross, and those that
+/// do by more have nothing to do with each other.
+const TOUCHING: f32 = 3e-4;
+const APART: f32 = 0.02;
 
 /// Draws capsules.
 pub(super) struct Raster {
@@ -33,6 +38,8 @@ struct Scratch {
     edges: Vec<Edge>,
     /// Neighbouring pixels of a row.
     run: Vec<Hit>,
+    /// How much nearer the body was in the row above than what was there, for each column.
+    above: Vec<f32>,
 }
 
 /// A pixel that a capsule covers in part.
@@ -72,6 +79,8 @@ impl Raster {
         let (width, height) = canvas.size();
         self.scratch.run.clear();
         self.scratch.run.reserve(width);
+        self.scratch.above.clear();
+        self.scratch.above.reserve(width);
         self.scratch.edges.clear();
         self.scratch.edges.reserve(ROOM_FOR_EDGES * (width + height));
         for &(depth, index) in &self.order {
@@ -85,13 +94,16 @@ impl Raster {
         }
         // Edges are blended with what lies behind them: far ones first, when everything else is there.
         let (pixels, nearness) = canvas.layers();
-        for edge in self.scratch.edges.iter().rev() {
-            if edge.nearness * CLEARLY > nearness[edge.index] {
+        for edge in self.scratch.edges.iter_mut().rev() {
+            if edge.nearness * (1.0 - CLEARLY) > nearness[edge.index] {
                 pixels[edge.index] = Color(pixels[edge.index]).mix(edge.color, edge.share).0;
-                if edge.share > 0.5 {
-                    nearness[edge.index] = edge.nearness;
-                }
+            } else {
+                edge.share = 0.0;
             }
+        }
+        // Only then they hide what is behind them: of two edges at the same depth, both count.
+        for edge in self.scratch.edges.iter().filter(|edge| edge.share > 0.5) {
+            nearness[edge.index] = nearness[edge.index].max(edge.nearness);
         }
     }
 }
@@ -109,6 +121,8 @@ fn fill(
     let (pixels, nearness) = canvas.layers();
     let Some(rows) = body.rows(height) else { return };
     let (per_pixel, nearest) = (1.0 / lens.focal, per_world / depth);
+    scratch.above.clear();
+    scratch.above.resize(width, f32::NAN);
     for y in rows {
         let Some(columns) = body.columns(y as f32 + 0.5, width) else { continue };
         let slope = (lens.centre.y - (y as f32 + 0.5)) * per_pixel;
@@ -119,25 +133,54 @@ fn fill(
         let first = y * width + columns.start;
         let row = &mut pixels[first..first + columns.len()];
         scratch.run.clear();
+        let mut before = f32::NAN;
         for (x, near) in nearness[first..first + columns.len()].iter_mut().enumerate() {
             let aside = (start + x as f32) * per_pixel;
             let hit = if *near < nearest { line.meet(body, aside, per_pixel) } else { None };
-            match hit.filter(|hit| hit.depth * *near < per_world * CLEARLY) {
-                Some(hit) if hit.share >= 1.0 => {
-                    *near = per_world / hit.depth;
-                    scratch.run.push(hit);
-                }
-                partial => {
-                    shader.paint(body, &scratch.run, &rays, x, row);
-                    scratch.run.clear();
-                    if let Some(hit) = partial {
-                        let color = shader.pixel(body, &hit, &rays, x);
-                        let nearness = per_world / hit.depth;
-                        scratch.edges.push(Edge { index: first + x, nearness, color, share: hit.share });
-                    }
-                }
+            // How much nearer it is than what is there, in depths of that.
+            let ahead = hit.map_or(f32::NAN, |hit| 1.0 - hit.depth * *near / per_world);
+            let front = in_front(ahead, [before, scratch.above[columns.start + x]]);
+            (before, scratch.above[columns.start + x]) = (ahead, ahead);
+            if let Some(hit) = hit
+                && hit.share >= 1.0
+                && front >= 1.0
+            {
+                *near = per_world / hit.depth;
+                scratch.run.push(hit);
+                continue;
+            }
+            shader.paint(body, &scratch.run, &rays, x, row);
+            scratch.run.clear();
+            let Some(hit) = hit.filter(|_| front > 0.0) else { continue };
+            let nearness = per_world / hit.depth;
+            let color = shader.pixel(body, &hit, &rays, x);
+            if hit.share >= 1.0 {
+                row[x] = Color(row[x]).mix(color, front).0;
+                *near = near.max(nearness);
+            } else {
+                scratch.edges.push(Edge { index: first + x, nearness, color, share: hit.share });
             }
         }
         shader.paint(body, &scratch.run, &rays, columns.len(), row);
+    }
+}
+
+/// The share of a pixel in which a surface lies in front of another. `ahead` says how much nearer it is in the middle of
+/// the pixel, and `beside` how much it is in the pixels to the left and above, if anything is there: where two bodies
+/// cross, their border is smooth.
+#[inline]
+fn in_front(ahead: f32, beside: [f32; 2]) -> f32 {
+    let mut slope = 0.0;
+    for other in beside {
+        let change = (ahead - other).abs();
+        // Nothing there is not a number, which is not below anything.
+        if change < APART {
+            slope += change;
+        }
+    }
+    match slope > TOUCHING {
+        true => (0.5 + ahead / slope).clamp(0.0, 1.0),
+        false if ahead > CLEARLY => 1.0,
+        false => 0.0,
     }
 }
