@@ -144,6 +144,7 @@ pub(super) struct Row {
 }
 
 /// Where a ray meets a capsule.
+#[derive(Clone, Copy)]
 pub(super) struct Hit {
     pub depth: f32,
     /// How much of the pixel the capsule covers.
