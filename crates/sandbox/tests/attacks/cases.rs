@@ -113,8 +113,11 @@ fn environment(scene: &Scene) {
 
 /// A program that holds all that it can get does not take it from others, nor do they see its files.
 fn neighbours(scene: &Scene) {
-    let mut hog =
-        scene.command("hold threads", &[]).stdin(Stdio::null()).stdout(Stdio::piped()).spawn().unwrap();
+    // Enough memory for many threads: one that begins without any for its own needs would end them all.
+    let limits = Limits { memory: 16 << 30, ..scene.confinement.limits };
+    let confinement = Confinement { limits, ..scene.confinement.clone() };
+    let mut hog = scene.command_as(&confinement, "hold threads", &[]);
+    let mut hog = hog.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().unwrap();
     let output = wait_until_asleep(hog.stdout.take().unwrap());
     let confinement = Confinement { folder: None, ..scene.confinement.clone() };
     let other = scene.mode.sandbox().unwrap();

@@ -94,7 +94,11 @@ impl Scene {
     }
 
     pub fn command(&self, attack: &str, arguments: &[&str]) -> Command {
-        let mut command = self.sandbox.command(1, &self.confinement, &env::current_exe().unwrap()).unwrap();
+        self.command_as(&self.confinement, attack, arguments)
+    }
+
+    pub fn command_as(&self, confinement: &Confinement, attack: &str, arguments: &[&str]) -> Command {
+        let mut command = self.sandbox.command(1, confinement, &env::current_exe().unwrap()).unwrap();
         command.args([attacker::ROLE, attack]).args(arguments);
         command
     }

@@ -5,8 +5,9 @@ use skeleton::Pose;
 
 use super::{App, Shown};
 use crate::camera::Camera;
+use crate::ruler;
 use crate::scene::{Figure, Look, Off, ScaleBar, Scene, Timeline, Trail};
-use crate::stage::{Wanted, round_number};
+use crate::stage::Wanted;
 use crate::texts::{self, Facts};
 
 /// How long a trace is: seconds of the motion, and points in it.
@@ -180,10 +181,12 @@ fn worst(figure: &Figure) -> Off {
     figure.joints.iter().map(|dot| dot.off).max().unwrap_or(Off::Right)
 }
 
-/// A length of about a sixth of the picture at the target's distance.
+/// A length to compare with, where one fits.
 fn scale_bar(scene: &mut Scene, size: (usize, usize)) {
-    let view = scene.camera.view(size);
-    let length = round_number(size.0 as f32 / 6.0 / view.focal * scene.camera.distance);
+    let Some(length) = ruler::fitting_length(&scene.camera, size, scene.text_scale) else {
+        scene.scale_bar = None;
+        return;
+    };
     let bar = scene.scale_bar.get_or_insert_with(ScaleBar::default);
     bar.length = length;
     bar.label.clear();

@@ -285,7 +285,7 @@ impl Bounds {
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `number`.
-pub fn round_number(number: f32) -> f32 {
+fn round_number(number: f32) -> f32 {
     let power = 10f32.powf(number.log10().floor());
     let rounded =
         [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|round| *round <= number * 1.0001);
