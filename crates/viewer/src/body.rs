@@ -90,7 +90,10 @@ impl Part {
 const THINNEST: f32 = 0.003;
 
 /// However far a bone is drawn out, it is as thin as one that is drawn out to the inverse of this.
-const THINNEST_DRAWN_OUT: f32 = 0.1;
+const THINNEST_DRAWN_OUT: f32 = 0.05;
+
+/// The share of its radius that a bone in a heap keeps.
+const THINNEST_IN_A_HEAP: f32 = 0.25;
 
 /// Where names tell nothing: the radius as a share of the bone's length, and the most that it is of the whole.
 const SLENDER: f32 = 0.18;
@@ -131,10 +134,17 @@ pub fn radii(skeleton: &Skeleton, size: f32) -> Vec<f32> {
         .collect()
 }
 
-/// The radius of a bone that is drawn out to `length`, of one that has this `radius` at its own length `own`. Unfinished
-/// functions put joints far away from each other: like dough, a bone gets thinner then.
-pub fn stretched(radius: f32, own: f32, length: f32) -> f32 {
-    let share = (own / length).max(THINNEST_DRAWN_OUT).sqrt();
+/// The radius of a bone of some `length`, of one that has this `radius` at its own length `own`. Unfinished functions put
+/// joints far away from each other, or all in one heap. Where they do, bones are thin, so that joints and axes are seen.
+pub fn misplaced(radius: f32, own: f32, length: f32) -> f32 {
+    let share = if length > own {
+        (own / length).max(THINNEST_DRAWN_OUT).sqrt()
+    } else if own > 0.0 {
+        // A little shorter is still a body.
+        (1.25 * length / own).max(THINNEST_IN_A_HEAP)
+    } else {
+        1.0
+    };
     if share < 1.0 { radius * share } else { radius }
 }
 
@@ -250,12 +260,14 @@ mod tests {
     }
 
     #[test]
-    fn a_bone_that_is_drawn_out_gets_thinner() {
-        assert_eq!(stretched(2.0, 5.0, 5.0), 2.0);
-        assert_eq!(stretched(2.0, 5.0, 3.0), 2.0);
-        assert_eq!(stretched(2.0, 5.0, 20.0), 1.0);
-        assert!(stretched(2.0, 0.0, 1e9) > 0.5 && stretched(2.0, 5.0, f32::NAN) > 0.5);
-        assert_eq!(stretched(2.0, 0.0, 0.0).max(0.5), stretched(2.0, 0.0, 0.0));
+    fn a_bone_of_the_wrong_length_is_thin() {
+        assert_eq!(misplaced(2.0, 5.0, 5.0), 2.0);
+        assert_eq!(misplaced(2.0, 5.0, 4.5), 2.0);
+        assert_eq!(misplaced(2.0, 5.0, 2.0), 1.0);
+        assert_eq!(misplaced(2.0, 5.0, 0.0), 0.5);
+        assert_eq!(misplaced(2.0, 5.0, 20.0), 1.0);
+        assert!(misplaced(2.0, 0.0, 1e9) > 0.1 && misplaced(2.0, 5.0, f32::NAN) > 0.1);
+        assert_eq!(misplaced(2.0, 0.0, 0.0), 2.0);
     }
 
     proptest! {

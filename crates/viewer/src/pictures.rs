@@ -81,7 +81,7 @@ impl Studio {
     fn window(&mut self, functions: FkFunctions, frame: usize) -> Canvas {
         let mut app = App::new(self.stage.clone(), "running.bvh".into(), Vec::new(), SIZE);
         app.go_to(frame);
-        let recorded = Recorded::of(&functions, &self.stage, 0..=frame);
+        let recorded = judged(functions, &self.stage, frame);
         let shown = Shown::Student(&recorded);
         self.draw(&app.scene(shown, SIZE), SIZE)
     }
@@ -93,9 +93,7 @@ impl Studio {
         let mut app = App::new(self.stage.clone(), "running.bvh".into(), Vec::new(), SIZE);
         app.go_to(FRAME);
         app.select(self.bone_to("LeftLeg").map(|(_, joint)| joint.0));
-        let mut recorded = Recorded::of(&UNTURNED, &self.stage, 0..=FRAME);
-        let mut subject = InProcess(Functions::Fk(UNTURNED));
-        recorded.standing.board = Some(Arc::new(Board::of(&mut subject)));
+        let recorded = judged(UNTURNED, &self.stage, FRAME);
         self.draw(&app.scene(Shown::Student(&recorded), SIZE), SIZE)
     }
 
@@ -251,4 +249,11 @@ impl Studio {
         let joint = self.stage.motion().skeleton().joints().iter().find(|joint| joint.name == name)?;
         Some((joint.parent?, joint.id))
     }
+}
+
+/// The answers of `functions` up to a frame, and their points.
+fn judged(functions: FkFunctions, stage: &Stage, frame: usize) -> Recorded {
+    let mut recorded = Recorded::of(&functions, stage, 0..=frame);
+    recorded.standing.board = Some(Arc::new(Board::of(&mut InProcess(Functions::Fk(functions)))));
+    recorded
 }

@@ -1,6 +1,7 @@
 //! From the state of the viewer to what is to be seen.
 
 use glam::Vec3;
+use grading::PartState;
 use skeleton::Pose;
 
 use super::{App, Shown};
@@ -55,6 +56,10 @@ impl App {
             Shown::Reference => None,
             Shown::Student(answers) => Some(answers.standing(frame)),
         };
+        if let Some(board) = standing.as_ref().and_then(|standing| standing.board.as_deref()) {
+            // Before the last part is begun no joint can be where it belongs: nothing is wrong yet.
+            self.judged = board.rows.last().is_none_or(|row| row.state != PartState::NotStarted);
+        }
         let solid = match shown {
             Shown::Reference => Some(&memory.reference),
             Shown::Student(_) => posed.map(|posed| &posed.pose),
@@ -69,6 +74,7 @@ impl App {
                 look: if current { Look::Solid } else { Look::Dimmed },
                 axes: settings.axes,
                 expected: standing.as_ref().map(|_| &memory.reference),
+                judged: self.judged,
                 selected: self.selected,
             };
             stage.fill(scene.figures.add(), pose, &wanted);

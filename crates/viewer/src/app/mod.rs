@@ -84,6 +84,8 @@ pub struct App {
     offset: Vec3,
     aim: Aim,
     selected: Option<usize>,
+    /// Whether the student's joints tell how far they are off.
+    judged: bool,
     memory: Memory,
 }
 
@@ -112,6 +114,7 @@ impl App {
             unreadable: Vec::new(),
             aim: Aim::Meet,
             selected: None,
+            judged: false,
             memory: Memory::default(),
         }
     }

@@ -4,7 +4,7 @@ use super::*;
 use crate::answers::Recorded;
 use crate::board::{Board, BoardRow};
 use crate::samples;
-use crate::scene::{Line, Look, Scene};
+use crate::scene::{Line, Look, Off, Scene};
 use crate::student::Status;
 use crate::worker::Trouble;
 
@@ -362,6 +362,30 @@ mod texts {
         let scene = app.scene(Shown::Reference, SIZE);
         assert!(scene.panels.is_empty() && scene.timeline.is_none() && scene.scale_bar.is_none());
     }
+}
+
+/// What the board says about part 3, and nothing else that matters here.
+fn board(state: grading::PartState) -> Option<Arc<Board>> {
+    let row = BoardRow { id: "part3", title: "global position", points: 0, of: 5, state, named: Vec::new() };
+    let (title, text, summary) = (String::new(), String::new(), String::new());
+    Some(Arc::new(Board { title, rows: vec![row], points: 0, of: 15, text, summary }))
+}
+
+#[test]
+fn joints_are_judged_as_soon_as_part_3_is_begun_and_stay_so_while_points_are_counted_again() {
+    let mut app = app(50);
+    app.go_to(40);
+    let mut stub = answers(&app, STUB);
+    let off = |app: &mut App, stub: &Recorded| {
+        let scene = app.scene(Shown::Student(stub), SIZE);
+        scene.figures[1].joints[2].off
+    };
+    stub.standing.board = board(grading::PartState::NotStarted);
+    assert_eq!(off(&mut app, &stub), Off::Right, "nothing is wrong yet");
+    stub.standing.board = board(grading::PartState::Wrong);
+    assert_eq!(off(&mut app, &stub), Off::Much);
+    stub.standing.board = None;
+    assert_eq!(off(&mut app, &stub), Off::Much);
 }
 
 #[test]

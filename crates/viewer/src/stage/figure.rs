@@ -16,6 +16,8 @@ pub struct Wanted<'a> {
     pub axes: bool,
     /// Where its joints should be; a pose of the same skeleton.
     pub expected: Option<&'a Pose>,
+    /// Whether joints tell how far they are off.
+    pub judged: bool,
     /// The joint to look at.
     pub selected: Option<usize>,
 }
@@ -36,7 +38,8 @@ impl Stage {
         figure.axes.clear();
         for (joint, transform) in self.motion.skeleton().joints().iter().zip(pose.transforms()) {
             let place = self.place(transform.position);
-            let right = wanted.expected.map_or(place, |expected| self.place(expected[joint.id].position));
+            let expected = wanted.expected.filter(|_| wanted.judged);
+            let right = expected.map_or(place, |expected| self.place(expected[joint.id].position));
             let selected = wanted.selected == Some(joint.id.0);
             figure.joints.push(Dot { place, off: Off::by(place.distance(right) / self.size), selected });
             if let Some(parent) = joint.parent {
@@ -45,7 +48,7 @@ impl Stage {
                 let own = self.radii[joint.id.0];
                 let radius = wanted.expected.map_or(own, |expected| {
                     let right = expected[joint.id].position.distance(expected[parent].position);
-                    body::stretched(own, right, from.distance(place))
+                    body::misplaced(own, right, from.distance(place))
                 });
                 let joints = (parent.0, joint.id.0);
                 figure.bones.push(Bone { from, to: place, side, radius, joints });
@@ -126,12 +129,21 @@ mod tests {
         }
         given[JointId(4)].position.y = f32::NAN;
         let mut figure = stage.figure(&expected, Look::Ghost, true);
-        let wanted = Wanted { expected: Some(&expected), selected: Some(2), axes: true, ..Wanted::default() };
+        let wanted = Wanted {
+            expected: Some(&expected),
+            judged: true,
+            selected: Some(2),
+            axes: true,
+            ..Wanted::default()
+        };
         stage.fill(&mut figure, &given, &wanted);
         let offs: Vec<Off> = figure.joints.iter().map(|dot| dot.off).collect();
         assert_eq!(offs, [Off::Right, Off::Little, Off::Some, Off::Much, Off::Much]);
         let selected: Vec<bool> = figure.joints.iter().map(|dot| dot.selected).collect();
         assert_eq!(selected, [false, false, true, false, false]);
+        let mut unjudged = Figure::default();
+        stage.fill(&mut unjudged, &given, &Wanted { judged: false, ..wanted });
+        assert!(unjudged.joints.iter().all(|dot| dot.off == Off::Right || !dot.place.is_finite()));
         assert_eq!(
             (figure.bones.len(), figure.axes.len()),
             (4, 3),
