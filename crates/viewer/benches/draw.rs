@@ -19,7 +19,7 @@ use std::time::Instant;
 use glam::Vec3;
 use tiny_skia::{Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
 use viewer::camera::View;
-use viewer::canvas::{Canvas, Color};
+use viewer::draw::canvas::{Canvas, Color};
 use viewer::draw::{Painter, color_of};
 use viewer::scene::{Look, Scene, Style, Tint};
 
@@ -99,7 +99,7 @@ fn median(mut times: Vec<f64>) -> f64 {
 fn save(cases: &[Case], pixmap: &Pixmap) {
     let Some(folder) = std::env::var_os("DRAW_BENCH_PICTURES").map(std::path::PathBuf::from) else { return };
     for (index, case) in cases.iter().enumerate() {
-        viewer::picture::save(&case.canvas, &folder.join(format!("ours-{index}.png"))).unwrap();
+        viewer::output::picture::save(&case.canvas, &folder.join(format!("ours-{index}.png"))).unwrap();
     }
     let mut canvas = Canvas::new(SIZE.0, SIZE.1);
     for (index, pixel) in pixmap.pixels().iter().enumerate() {
@@ -107,7 +107,7 @@ fn save(cases: &[Case], pixmap: &Pixmap) {
         let place = ((index % SIZE.0) as i32, (index / SIZE.0) as i32);
         canvas.rectangle(place, (1, 1), color, 1.0);
     }
-    viewer::picture::save(&canvas, &folder.join("theirs.png")).unwrap();
+    viewer::output::picture::save(&canvas, &folder.join("theirs.png")).unwrap();
 }
 
 /// The lines of `scene` by tiny-skia.

@@ -14,13 +14,13 @@ use std::time::{Duration, Instant};
 
 use skeleton::PositionChannels;
 use support::{Course, cargo};
-use viewer::app::{App, Shown};
-use viewer::canvas::Canvas;
 use viewer::draw::Painter;
+use viewer::draw::canvas::Canvas;
 use viewer::live::Live;
-use viewer::stage::Stage;
-use viewer::student::Status;
-use viewer::worker;
+use viewer::live::student::Status;
+use viewer::live::worker;
+use viewer::motion::stage::Stage;
+use viewer::view::app::{App, Shown};
 
 const ROUNDS: usize = 15;
 const SIZE: (usize, usize) = (1280, 720);

@@ -1,47 +1,25 @@
 //! The fixed viewer: a window, or a picture, of a moving skeleton.
 //!
-//! A motion is put on a [`stage`]; the [`player`] says which frame it is; poses come from the reference solution and
-//! from the student's functions. From these the [`app`] makes a [`scene`], plain data that says what is to be
-//! seen, and [`draw`] turns it into pixels on a [`canvas`], for the window and for PNG files alike.
+//! | module | what it does |
+//! |---|---|
+//! | [`motion`] | puts a motion on a stage: how large its figure is, which way is up, where the ground is |
+//! | [`live`] | follows the student's file: notices a save, builds, asks, counts points |
+//! | [`view`] | the state that keys and mouse change, and the scene that follows from it |
+//! | [`scene`] | what is to be seen: plain data, without a pixel in it |
+//! | [`draw`] | from a scene to pixels |
+//! | [`window`] | hands keys and mouse to the view, and its picture to the display |
+//! | [`output`] | pictures, films and contact sheets as files |
+//! | [`command`] | the command `cargo view` |
 #![deny(missing_docs)]
 
-pub mod answers;
-pub mod app;
-mod beside;
-mod blame;
-pub mod board;
-pub mod body;
 pub mod camera;
-pub mod canvas;
 pub mod command;
-mod diagnostic;
 pub mod draw;
-pub mod film;
-pub mod frames;
-pub mod gallery;
-mod input;
-pub mod keyboard;
-pub mod keys;
 pub mod live;
-mod panel;
-pub mod picture;
-pub mod pictures;
-pub mod player;
-pub mod print;
-pub mod ruler;
+pub mod motion;
+pub mod output;
 #[cfg(test)]
 mod samples;
 pub mod scene;
-pub mod screen;
-pub mod session;
-pub mod sheet;
-mod sides;
-pub mod source;
-pub mod stage;
-pub mod student;
-mod texts;
-pub mod timeline;
-pub mod upright;
-pub mod watch;
+pub mod view;
 pub mod window;
-pub mod worker;

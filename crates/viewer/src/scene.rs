@@ -10,7 +10,7 @@ use std::ops::Deref;
 use glam::{Quat, Vec3};
 
 use crate::camera::Camera;
-use crate::canvas::Ground;
+use crate::draw::canvas::Ground;
 
 /// Everything in one picture. Lengths are in world units: those of the motion's file.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,11 +5,11 @@ mod support;
 
 use std::sync::Arc;
 
-use viewer::answers::Recorded;
-use viewer::app::{App, Shown};
-use viewer::canvas::Canvas;
 use viewer::draw::Painter;
+use viewer::draw::canvas::Canvas;
 use viewer::scene::{Look, Scene, Style};
+use viewer::view::answers::Recorded;
+use viewer::view::app::{App, Shown};
 
 const SIZE: (usize, usize) = (960, 540);
 

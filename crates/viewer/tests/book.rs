@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::{env, fs};
 
-use viewer::keys;
+use viewer::window::keys;
 
 #[test]
 fn the_keys_in_the_book_are_those_of_the_table() {

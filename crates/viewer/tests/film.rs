@@ -6,8 +6,8 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use viewer::canvas::{Canvas, Color};
-use viewer::film::{self, Format, Frames};
+use viewer::draw::canvas::{Canvas, Color};
+use viewer::output::film::{self, Format, Frames};
 
 /// What a reader finds in a file.
 struct Film {

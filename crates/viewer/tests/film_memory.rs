@@ -3,8 +3,8 @@
 
 use std::convert::Infallible;
 
-use viewer::canvas::{Canvas, Color};
-use viewer::film::{self, Format, Frames};
+use viewer::draw::canvas::{Canvas, Color};
+use viewer::output::film::{self, Format, Frames};
 
 /// The most bytes that are in use at once while a film of `count` pictures is written.
 fn most_bytes(format: Format, count: usize) -> u64 {

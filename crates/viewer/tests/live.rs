@@ -13,9 +13,9 @@ use std::{fs, thread};
 use skeleton::PositionChannels;
 use support::Course;
 use viewer::live::Live;
-use viewer::stage::Stage;
-use viewer::student::{Standing, Status};
-use viewer::worker::{self, Trouble};
+use viewer::live::student::{Standing, Status};
+use viewer::live::worker::{self, Trouble};
+use viewer::motion::stage::Stage;
 
 const SOLUTION: &str = include_str!("../../../solutions/src/fk.rs");
 

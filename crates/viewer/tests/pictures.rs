@@ -6,8 +6,8 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use viewer::canvas::{Canvas, Color};
-use viewer::pictures::{PICTURES, Studio};
+use viewer::draw::canvas::{Canvas, Color};
+use viewer::output::pictures::{PICTURES, Studio};
 
 /// A pixel counts as different when a channel differs by more than this: sines differ a little between machines.
 const SHADES: u8 = 24;

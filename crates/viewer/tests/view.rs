@@ -7,14 +7,14 @@ use std::process::{Command, Output};
 use std::sync::Arc;
 
 use skeleton::PositionChannels;
-use viewer::answers::Recorded;
-use viewer::app::{App, Shown};
 use viewer::camera::Spot;
 use viewer::draw::color_of;
+use viewer::live::student::{self, Status, Version};
+use viewer::live::worker::{self, Trouble};
+use viewer::motion::stage::Stage;
 use viewer::scene::Tint;
-use viewer::stage::Stage;
-use viewer::student::{self, Status, Version};
-use viewer::worker::{self, Trouble};
+use viewer::view::answers::Recorded;
+use viewer::view::app::{App, Shown};
 
 fn view(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_view"));
@@ -279,7 +279,7 @@ mod errors {
     fn help_names_every_key() {
         let output = view(&["--help"]);
         assert!(output.status.success());
-        for (_, help) in viewer::keys::help() {
+        for (_, help) in viewer::window::keys::help() {
             assert!(stdout(&output).contains(help));
         }
     }

@@ -9,7 +9,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
-use viewer::watch::{Baseline, Change, Watcher};
+use viewer::live::watch::{Baseline, Change, Watcher};
 
 /// Far longer than a change takes to be told.
 const PATIENCE: Duration = Duration::from_secs(60);

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use viewer::picture;
-use viewer::pictures::{PICTURES, Studio};
+use viewer::output::picture;
+use viewer::output::pictures::{PICTURES, Studio};
 
 fn main() -> ExitCode {
     match make() {

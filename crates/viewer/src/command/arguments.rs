@@ -6,14 +6,14 @@ use std::str::FromStr;
 use clap::{Parser, ValueEnum};
 use skeleton::PositionChannels;
 
-use crate::app::Settings;
-use crate::canvas::MAX_SIDE;
-use crate::frames::FrameRange;
-use crate::gallery::Gallery;
-use crate::keys;
+use crate::draw::canvas::MAX_SIDE;
+use crate::motion::source::Source;
+use crate::motion::upright::Up;
+use crate::output::frames::FrameRange;
 use crate::scene::Style;
-use crate::source::Source;
-use crate::upright::Up;
+use crate::view::app::Settings;
+use crate::view::gallery::Gallery;
+use crate::window::keys;
 
 /// Shows a motion moved by YOUR functions in exercises/fk/src/fk.rs, with the right answer beside it as a ghost.
 ///

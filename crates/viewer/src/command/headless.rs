@@ -9,20 +9,21 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::{Arguments, Output};
 use super::{say, text, workspace};
-use crate::answers::Recorded;
-use crate::app::{App, Shown};
-use crate::board::Board;
-use crate::canvas::Canvas;
 use crate::draw::Painter;
-use crate::film::{self, Format, Frames};
-use crate::frames::{self, FrameRange};
-use crate::gallery::Gallery;
-use crate::keys::Action;
-use crate::screen::Screen;
-use crate::sheet::{Sheet, spread};
-use crate::source::Source;
-use crate::student::{Status, Version};
-use crate::{picture, worker};
+use crate::draw::canvas::Canvas;
+use crate::live::board::Board;
+use crate::live::student::{Status, Version};
+use crate::live::worker;
+use crate::motion::source::Source;
+use crate::output::film::{self, Format, Frames};
+use crate::output::frames::{self, FrameRange};
+use crate::output::picture;
+use crate::output::sheet::{Sheet, spread};
+use crate::view::answers::Recorded;
+use crate::view::app::{App, Shown};
+use crate::view::gallery::Gallery;
+use crate::view::screen::Screen;
+use crate::window::keys::Action;
 
 /// Writes what the command line asks for.
 pub fn write(arguments: &Arguments, output: &Output, sources: &[Source]) -> Result<(), String> {

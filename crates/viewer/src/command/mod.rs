@@ -2,6 +2,7 @@
 
 mod arguments;
 mod headless;
+mod print;
 mod targets;
 
 use std::io::{self, Write};
@@ -10,11 +11,12 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::app::App;
-use crate::gallery::Gallery;
-use crate::session::Session;
-use crate::source::{self, Loaded, Source};
-use crate::{frames, print, window};
+use crate::motion::source::{self, Loaded, Source};
+use crate::output::frames;
+use crate::view::app::App;
+use crate::view::gallery::Gallery;
+use crate::view::session::Session;
+use crate::window;
 
 pub use arguments::Arguments;
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::arguments::Output;
-use crate::source::Source;
+use crate::motion::source::Source;
 
 impl Output {
     /// The file to write.

@@ -1,6 +1,6 @@
 //! What colour things have.
 
-use crate::canvas::Color;
+use crate::draw::canvas::Color;
 use crate::scene::{Off, Side, Tint};
 
 /// Edges around letters, so that they can be read on anything.

@@ -1,22 +1,25 @@
 //! From a scene to a picture.
 
+pub mod canvas;
 mod colors;
 mod lit;
+mod panel;
+pub mod ruler;
 mod strokes;
 #[cfg(test)]
 mod tests;
+pub mod timeline;
 mod words;
 
 use glam::Vec3;
 
-use crate::canvas::{Canvas, Typeface, Weight};
-use crate::panel::Panels;
-use crate::ruler;
 use crate::scene::{Scene, Style, Tint};
-use crate::timeline::Bar;
+use canvas::{Canvas, Typeface, Weight};
 pub use colors::color_of;
 use lit::Bodies;
+use panel::Panels;
 use strokes::Strokes;
+use timeline::Bar;
 use words::Writer;
 
 /// Draws scenes. Keeps what is slow to make, the letters, and all memory that drawing takes: a scene much like one

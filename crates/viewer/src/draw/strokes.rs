@@ -6,7 +6,7 @@ use super::AXES;
 use super::colors::{self, PALE, color_of};
 use super::lit::cover;
 use crate::camera::{Spot, View};
-use crate::canvas::{Canvas, Color, Pen};
+use crate::draw::canvas::{Canvas, Color, Pen};
 use crate::scene::{Axes, Figure, Look, Mark, Off, Scene, Style, Tint, Trail};
 
 /// Lines and squares, collected so that they can be drawn from far to near: the soft edge of a near one must lie

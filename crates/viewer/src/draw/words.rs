@@ -3,7 +3,7 @@
 use super::AXES;
 use super::colors::{PAPER, color_of};
 use crate::camera::{Spot, View};
-use crate::canvas::{Canvas, Color, Pen, Typeface, Weight};
+use crate::draw::canvas::{Canvas, Color, Pen, Typeface, Weight};
 use crate::scene::{Figure, Mark, Tint};
 
 /// The height of letters in the world, in pixels.

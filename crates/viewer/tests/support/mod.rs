@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use viewer::motion::stage::Stage;
 use viewer::scene::{Corner, Line, Look, Off, ScaleBar, Scene, Style, Timeline, Tint};
-use viewer::stage::Stage;
 
 /// How many frames a trail goes back.
 const TRAIL: usize = 120;

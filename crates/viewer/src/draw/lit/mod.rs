@@ -14,7 +14,7 @@ mod shape;
 use glam::Vec3;
 
 use crate::camera::View;
-use crate::canvas::Canvas;
+use crate::draw::canvas::Canvas;
 use crate::scene::{Bone, Dot, Figure, Look, Scene};
 
 pub(super) use capsule::Capsule;

@@ -6,7 +6,7 @@ use super::light::LightMaps;
 use super::shade::{Rays, Shader, Tones};
 use super::shape::{Body, Hit, Row};
 use crate::camera::View;
-use crate::canvas::{Canvas, Color};
+use crate::draw::canvas::{Canvas, Color};
 
 /// The most pixels between two for which light is calculated, and how many of them lie on a capsule's radius.
 const MOST_APART: f32 = 12.0;

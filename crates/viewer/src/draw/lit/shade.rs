@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::SUN;
 use super::light::{LightMaps, Net};
 use super::shape::{Body, Hit};
-use crate::canvas::Color;
+use crate::draw::canvas::Color;
 
 /// The sun's light.
 const SUNLIGHT: Vec3 = Vec3::new(1.55, 1.48, 1.32);

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, Vec3Swizzles};
 
 use super::capsule::{Capsule, Footprint};
 use crate::camera::View;
-use crate::canvas::{Canvas, haze};
+use crate::draw::canvas::{Canvas, haze};
 
 /// The most cells along a side of the map: shadows are soft, a coarse map is enough.
 const MOST_CELLS: usize = 224;

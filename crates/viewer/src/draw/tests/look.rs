@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::camera::View;
-use crate::canvas::Color;
+use crate::draw::canvas::Color;
 use crate::scene::Off;
 
 const SIZE: (usize, usize) = (320, 240);

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::camera::Camera;
-use crate::canvas::Ground;
+use crate::draw::canvas::Ground;
 use crate::scene::{Axes, Bone, Corner, Dot, Line, ScaleBar, Timeline};
 use crate::scene::{Figure, Look, Mark, Side, Tint};
 

@@ -1,0 +1,299 @@
+//! The student's functions, built and asked in the background: for the frames that are shown, for points, and for all
+//! other frames.
+//!
+//! Every saved state of the file is a [`Version`] with a number and a thread of its own. What an abandoned version
+//! still finds out is not looked at. Poses of older versions stay at hand until the last one has answered too.
+
+mod ask;
+mod held;
+mod narrow;
+mod pieces;
+mod plan;
+mod rebuilder;
+#[cfg(test)]
+mod tests;
+mod version;
+mod window;
+mod work;
+
+use std::collections::BTreeMap;
+use std::sync::mpsc::{self, Receiver};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+
+use exam::Subject;
+use exam::fk::{LocalAnswer, PosedFrame};
+
+pub(crate) use ask::locals as ask_locals;
+pub use ask::{PATIENCE, ask};
+pub use rebuilder::Rebuilder;
+pub use version::Version;
+
+use crate::live::board::Board;
+use crate::live::worker::Trouble;
+use crate::motion::stage::Stage;
+use held::Held;
+use plan::{MotionPlan, Plan};
+use work::{Desk, Event, Work};
+
+/// How many batches of poses are kept for all motions together. Far ones are forgotten and asked for again when they
+/// are needed.
+const MOST_BATCHES: usize = 256;
+
+/// For how many frames local rotations are kept.
+const MOST_LOCALS: usize = 64;
+
+/// What is going on with the student's functions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// They are being compiled.
+    Compiling,
+    /// They have been asked, and have not answered for the shown frame yet.
+    Asking,
+    /// They have answered for the shown frame.
+    Answered,
+    /// They give no answer for the shown frame.
+    Failed(Arc<Trouble>),
+}
+
+/// How things stand with the student's functions for one frame.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Standing {
+    /// What is going on with the file as it was saved last.
+    pub status: Status,
+    /// Whether the pose at hand is that of the last save. Otherwise it is an older one, or there is none.
+    pub current: bool,
+    /// The points of the last save, when they are known.
+    pub board: Option<Arc<Board>>,
+    /// Whether the questions for points are being asked.
+    pub grading: bool,
+}
+
+/// What the terminal is told, once for every save.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum News {
+    /// The points are known.
+    Board(Arc<Board>),
+    /// The functions do not compile, or the shown frame fails.
+    Trouble(Arc<Trouble>),
+}
+
+/// The student's functions at work on some motions. Nothing here ever waits for them.
+pub struct Student {
+    desk: Desk,
+    held: Vec<Held>,
+    /// Nothing stands for a frame whose local rotations could not be had.
+    locals: BTreeMap<(usize, usize), Option<Vec<LocalAnswer>>>,
+    /// The version that all this is about.
+    number: u64,
+    ready: bool,
+    failed: Option<Arc<Trouble>>,
+    given_up: Option<Arc<Trouble>>,
+    grading: bool,
+    board: Option<Arc<Board>>,
+    former_board: Option<Arc<Board>>,
+    events: Receiver<(u64, Event)>,
+    rebuilder: Rebuilder,
+}
+
+impl Student {
+    /// Builds with `open`, on a thread of its own, and asks the subject that it gives about all `stages`. For every save
+    /// it is called again, never twice at once. `tell` is called on that thread.
+    pub fn start<S: Subject>(
+        stages: Vec<Arc<Stage>>,
+        open: impl FnMut(&Version) -> Result<S, Trouble> + Send + 'static,
+        tell: impl FnMut(News) + Send + 'static,
+    ) -> Student {
+        let plan = Plan::new(stages, most_batches);
+        let held = plan.motions.iter().map(|motion| Held::new(motion.window)).collect();
+        let desk = Desk::new(plan);
+        let (sender, events) = mpsc::channel();
+        let (open, tell) = (Arc::new(Mutex::new(open)), Arc::new(Mutex::new(tell)));
+        let start = {
+            let desk = desk.clone();
+            move |number, version, before| {
+                let (desk, events, tell) = (desk.clone(), sender.clone(), tell.clone());
+                let work = Work { number, version, before, desk, events, tell, told: false };
+                let open = Arc::clone(&open);
+                thread::Builder::new().name("student".into()).spawn(move || work.run(&open)).map(|_| ())
+            }
+        };
+        let rebuilder = Rebuilder::new(desk.clone(), Box::new(start));
+        let mut student = Student {
+            desk,
+            held,
+            locals: BTreeMap::new(),
+            number: 0,
+            ready: false,
+            failed: None,
+            given_up: None,
+            grading: false,
+            board: None,
+            former_board: None,
+            events,
+            rebuilder,
+        };
+        student.rebuild();
+        student
+    }
+
+    /// The file was saved: the version before is abandoned, whatever it is doing, and the new one built and asked.
+    pub fn rebuild(&mut self) {
+        self.rebuilder.rebuild();
+        self.follow();
+    }
+
+    /// What another thread can call when the file was saved.
+    pub fn rebuilder(&self) -> Rebuilder {
+        self.rebuilder.clone()
+    }
+
+    /// Begins anew if there is a new version. Gives whether there is.
+    fn follow(&mut self) -> bool {
+        let number = self.desk.plan().version;
+        if std::mem::replace(&mut self.number, number) == number {
+            return false;
+        }
+        self.held.iter_mut().for_each(Held::begin);
+        self.locals.clear();
+        (self.ready, self.failed, self.given_up, self.grading) = (false, None, None, false);
+        self.former_board = self.board.take().or(self.former_board.take());
+        if let Some(error) = self.rebuilder.take_trouble() {
+            let headline = "your functions cannot be asked".into();
+            self.failed = Some(Arc::new(Trouble { headline, details: vec![error.to_string()] }));
+        }
+        true
+    }
+
+    /// Motion `motion` (from 0) was read again. Its frames are asked anew; nothing is built.
+    pub fn replace_stage(&mut self, motion: usize, stage: Arc<Stage>) {
+        let mut plan = self.desk.plan();
+        let count = plan.motions.len();
+        let Some(old) = plan.motions.get_mut(motion) else { return };
+        let shown = old.shown.min(stage.frame_count() - 1);
+        *old = MotionPlan::new(stage, old.reading + 1, most_batches(count));
+        old.shown = shown;
+        self.held[motion] = Held::new(old.window);
+        drop(plan);
+        self.locals.retain(|(of, _), _| *of != motion);
+        self.desk.wake();
+    }
+
+    /// Takes what has come, and asks for what will be needed around the frame that is shown of each motion. Gives whether
+    /// anything has come. Never waits; to be called for every picture.
+    pub fn update(&mut self, shown: &[usize]) -> bool {
+        let mut news = self.follow();
+        while let Ok((number, event)) = self.events.try_recv() {
+            if number > self.number {
+                // The save was noticed just now, on another thread.
+                self.follow();
+            }
+            if number == self.number {
+                self.take(event);
+                news = true;
+            }
+        }
+        let mut plan = self.desk.plan();
+        let mut moved = false;
+        for ((motion, held), frame) in plan.motions.iter_mut().zip(&mut self.held).zip(shown) {
+            let frame = (*frame).min(motion.stage.frame_count() - 1);
+            moved |= std::mem::replace(&mut motion.shown, frame) != frame;
+            for batch in held.forget_far_from(frame) {
+                motion.forget(batch);
+                moved = true;
+            }
+        }
+        drop(plan);
+        if moved {
+            self.desk.wake();
+        }
+        news
+    }
+
+    fn take(&mut self, event: Event) {
+        // What was asked of a motion before it was read again is of no use.
+        let is_late = |at: &plan::Motion, desk: &Desk| {
+            desk.plan().motions.get(at.index).is_none_or(|motion| motion.reading != at.reading)
+        };
+        match event {
+            Event::Ready => self.ready = true,
+            Event::Failed(trouble) => {
+                self.failed = Some(trouble);
+                self.grading = false;
+            }
+            Event::GivenUp(trouble) => self.given_up = Some(trouble),
+            Event::Frames(at, ..) | Event::Trouble(at, ..) | Event::Locals(at, ..)
+                if is_late(&at, &self.desk) => {}
+            Event::Frames(at, first, poses) => self.held[at.index].insert(self.number, first, poses),
+            Event::Trouble(at, frame, trouble) => self.held[at.index].insert_trouble(frame, trouble),
+            Event::Locals(at, frame, locals) => {
+                if self.locals.len() >= MOST_LOCALS {
+                    self.locals.clear();
+                }
+                self.locals.insert((at.index, frame), locals);
+            }
+            Event::Grading => self.grading = true,
+            Event::Graded(board) => {
+                self.grading = false;
+                self.board = Some(board);
+            }
+        }
+    }
+
+    /// How things stand for frame `frame` (from 0) of motion `motion` (from 0).
+    pub fn standing(&self, motion: usize, frame: usize) -> Standing {
+        let held = self.held.get(motion);
+        let version = held.and_then(|held| held.pose(frame)).map(|(version, _)| version);
+        let current = version == Some(self.number);
+        let trouble = held.and_then(|held| held.trouble(frame));
+        let status = match (&self.failed, trouble.or(self.given_up.as_ref())) {
+            _ if current => Status::Answered,
+            (Some(trouble), _) | (None, Some(trouble)) => Status::Failed(Arc::clone(trouble)),
+            (None, None) if self.ready => Status::Asking,
+            (None, None) => Status::Compiling,
+        };
+        Standing { status, current, board: self.board.clone(), grading: self.grading }
+    }
+
+    /// The newest pose at hand: what the functions made of the frame as they were saved last, or else before that.
+    pub fn pose(&self, motion: usize, frame: usize) -> Option<&PosedFrame> {
+        self.held.get(motion)?.pose(frame).map(|(_, posed)| posed)
+    }
+
+    /// What part 1 gives for every joint of the frame. Nothing until it has been asked, which begins now, or when it
+    /// gives no answer.
+    pub fn locals(&mut self, motion: usize, frame: usize) -> Option<&[LocalAnswer]> {
+        let held = self.held.get(motion)?;
+        if held.trouble(frame).is_none() && !self.locals.contains_key(&(motion, frame)) {
+            self.desk.plan().locals = Some((motion, frame));
+            self.desk.wake();
+        }
+        self.locals.get(&(motion, frame))?.as_deref()
+    }
+
+    /// The same, as far as it is known, without asking.
+    pub fn known_locals(&self, motion: usize, frame: usize) -> Option<&[LocalAnswer]> {
+        self.locals.get(&(motion, frame))?.as_deref()
+    }
+
+    /// The points of an earlier save, for as long as those of the last one are not known.
+    pub fn former_board(&self) -> Option<&Arc<Board>> {
+        self.former_board.as_ref().filter(|_| self.board.is_none())
+    }
+}
+
+impl Drop for Student {
+    /// Ends the worker. Does not wait for a build.
+    fn drop(&mut self) {
+        self.rebuilder.end();
+    }
+}
+
+/// How many batches are kept for each of some motions.
+fn most_batches(motions: usize) -> usize {
+    MOST_BATCHES / motions.max(1)
+}
+
+fn lock<T: ?Sized>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,392 @@
+//! A motion set up for being looked at: how large its figure is, where its ground is, what to follow.
+
+mod figure;
+
+use glam::{Quat, Vec3};
+use skeleton::{Frame, Motion, Pose, PositionChannels, pose_frame};
+
+use crate::camera::Camera;
+use crate::draw::canvas::Ground;
+use crate::motion::body;
+use crate::motion::sides::sides;
+use crate::motion::upright::{Stance, Up};
+use crate::scene::Side;
+
+pub use figure::Wanted;
+use figure::tips;
+
+/// A motion and what follows from it for the picture. Lengths are in the file's unit. Places in the picture are those of
+/// the file, turned so that Y points up.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    motion: Motion,
+    positions: PositionChannels,
+    up: Up,
+    upright: Quat,
+    sides: Vec<Side>,
+    /// The tips that leave traces.
+    traced: Vec<usize>,
+    /// How thick the bone to each joint is.
+    radii: Vec<f32>,
+    /// How long the axes of each joint are.
+    axes: Vec<f32>,
+    size: f32,
+    ground: Ground,
+    /// Corners of the box in which the figure stays, relative to its anchor.
+    surroundings: Vec<Vec3>,
+    /// The height of the anchor, where it does not go up and down with the root.
+    level: Option<f32>,
+    azimuth: f32,
+    too_coarse: bool,
+}
+
+/// The most frames that are looked at to learn how large a motion is, and the most joints in all of them together.
+const MOST_SAMPLES: usize = 120;
+const MOST_SAMPLED_JOINTS: usize = 1_000_000;
+
+/// Single precision has about seven digits: this many skeletons away from the origin the joints are no longer where
+/// they should be.
+const LARGEST_COORDINATE: f32 = 1e6;
+
+/// The camera's height above the horizon, in radians.
+const ELEVATION: f32 = 0.2;
+
+impl Stage {
+    /// Looks at the motion as the reference solution moves it. `positions` says what position channels do. Which way is
+    /// up is told by the motion itself.
+    pub fn new(motion: Motion, positions: PositionChannels) -> Stage {
+        Stage::with_up(motion, positions, None)
+    }
+
+    /// The same, with this axis pointing up. `None` finds it out.
+    pub fn with_up(motion: Motion, positions: PositionChannels, up: Option<Up>) -> Stage {
+        let joints = motion.skeleton().joints();
+        let mut stage = Stage {
+            up: Up::Y,
+            upright: Quat::IDENTITY,
+            sides: sides(joints),
+            traced: Vec::new(),
+            radii: Vec::new(),
+            axes: Vec::new(),
+            motion,
+            positions,
+            size: 1.0,
+            ground: Ground { height: 0.0, cell: 1.0 },
+            surroundings: Vec::new(),
+            level: None,
+            azimuth: 0.6,
+            too_coarse: false,
+        };
+        stage.up = up.unwrap_or_else(|| stage.find_up());
+        stage.upright = stage.up.rotation();
+        stage.measure();
+        let skeleton = stage.motion.skeleton();
+        stage.radii = body::radii(skeleton, stage.size);
+        stage.axes = figure::axes(skeleton, stage.size);
+        stage.traced = figure::traced(&tips(skeleton.joints()), &skeleton.rest_positions(), stage.size);
+        stage
+    }
+
+    fn find_up(&self) -> Up {
+        let mut stance = Stance::new(self.motion.skeleton().joints());
+        self.sample(|_, pose| stance.look(pose));
+        stance.up()
+    }
+
+    fn measure(&mut self) {
+        let (mut all, mut roots) = (Bounds::default(), Bounds::default());
+        let (mut first_root, mut ways) = (None, Vec::new());
+        self.sample(|stage, pose| {
+            stage.places(pose).for_each(|place| all.add(place));
+            let root = stage.root(pose);
+            roots.add(root);
+            if root.is_finite() {
+                ways.push(root - *first_root.get_or_insert(root));
+            }
+        });
+
+        // A skeleton without length may still move; one that does not is a single point, of any size.
+        let usable = |size: &f32| size.is_finite() && *size > 0.0;
+        let sizes = [self.motion.skeleton().extent(), all.low.distance(all.high)];
+        self.size = sizes.into_iter().find(usable).unwrap_or(1.0);
+
+        let farthest = roots.low.abs().max(roots.high.abs()).max_element();
+        self.too_coarse = !sizes[0].is_finite() || farthest > LARGEST_COORDINATE * self.size;
+
+        // Most motions stand on the plane Y = 0. For one that clearly does not, the ground is below its lowest point.
+        let height = if all.low.y.abs() < 0.3 * self.size { 0.0 } else { all.low.y };
+        self.ground = Ground { height, cell: round_number(0.3 * self.size) };
+
+        self.level = (roots.high.y - roots.low.y < self.size).then_some(roots.low.y.midpoint(roots.high.y));
+        let mut around = Bounds::default();
+        self.sample(|stage, pose| {
+            let anchor = stage.anchor_of(pose);
+            stage.places(pose).for_each(|place| around.add(place - anchor));
+        });
+        let corner =
+            |i: usize| Vec3::from([0, 1, 2].map(|axis| [around.low, around.high][i >> axis & 1][axis]));
+        self.surroundings = (0..8).map(corner).collect();
+
+        // From ahead of a figure that sets out for somewhere, and to its side.
+        if let Some(way) = ways.into_iter().find(|way| way.length() > 0.5 * self.size) {
+            self.azimuth = (way.x.atan2(way.z) + 0.9).rem_euclid(std::f32::consts::TAU);
+        }
+    }
+
+    /// Looks at poses from all over the motion, fewer when each has more joints. There is never more than one of them
+    /// in memory.
+    fn sample(&self, mut look: impl FnMut(&Stage, &Pose)) {
+        let joints = self.motion.skeleton().len().max(1);
+        let samples = (MOST_SAMPLED_JOINTS / joints).clamp(1, MOST_SAMPLES);
+        let step = self.frame_count().div_ceil(samples);
+        let (mut frame, mut pose) = (Frame::default(), Pose::default());
+        for index in (0..self.frame_count()).step_by(step) {
+            self.read_frame(index, &mut frame);
+            pose_frame(self.motion.skeleton(), &frame, &solutions::FK, &mut pose);
+            look(self, &pose);
+        }
+    }
+
+    /// The motion.
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// How many frames can be shown: at least one, which is the rest pose when the motion has none.
+    pub fn frame_count(&self) -> usize {
+        self.motion.frame_count().max(1)
+    }
+
+    /// Frame `index` (from 0) as the functions get it. Behind the last frame it is the rest pose.
+    pub fn frame(&self, index: usize) -> Frame {
+        let mut frame = Frame::default();
+        self.read_frame(index, &mut frame);
+        frame
+    }
+
+    /// The same, into `frame`, whose memory is used again.
+    pub fn read_frame(&self, index: usize, frame: &mut Frame) {
+        self.motion.read_frame(index, self.positions, frame);
+    }
+
+    /// Where the joints are in frame `index` (from 0) if everything is right.
+    pub fn reference(&self, index: usize) -> Pose {
+        let mut pose = Pose::default();
+        self.read_reference(index, &mut Frame::default(), &mut pose);
+        pose
+    }
+
+    /// The same, into `pose` and with `frame`, whose memory is used again.
+    pub fn read_reference(&self, index: usize, frame: &mut Frame, pose: &mut Pose) {
+        self.read_frame(index, frame);
+        pose_frame(self.motion.skeleton(), frame, &solutions::FK, pose);
+    }
+
+    /// The axis of the motion that points up.
+    pub fn up(&self) -> Up {
+        self.up
+    }
+
+    /// Where a place of the motion is in the picture's world.
+    pub fn place(&self, position: Vec3) -> Vec3 {
+        self.upright * position
+    }
+
+    /// Where the joints of a pose are in the picture's world.
+    pub fn places<'a>(&'a self, pose: &'a Pose) -> impl Iterator<Item = Vec3> + 'a {
+        pose.transforms().iter().map(|transform| self.place(transform.position))
+    }
+
+    /// The joints that leave traces: End Sites, and leaves without one, of those that are close together only one.
+    pub fn traced(&self) -> &[usize] {
+        &self.traced
+    }
+
+    /// The plane below the figure.
+    pub fn ground(&self) -> Ground {
+        self.ground
+    }
+
+    /// The size of the skeleton: the diagonal of the box around its rest pose. Positive.
+    pub fn size(&self) -> f32 {
+        self.size
+    }
+
+    /// Whether the coordinates are so large, compared with the skeleton, that single precision shows no true figure.
+    pub fn is_too_coarse(&self) -> bool {
+        self.too_coarse
+    }
+
+    /// Whether left and right can be told by the joints' names.
+    pub fn has_sides(&self) -> bool {
+        self.sides.iter().any(|side| *side != Side::Middle)
+    }
+
+    /// What the camera follows in frame `index` (from 0): the root, which the reference and even unfinished functions
+    /// put in the same place. Its ups and downs are left out unless they are large.
+    pub fn anchor(&self, index: usize) -> Vec3 {
+        self.anchor_of(&self.reference(index))
+    }
+
+    /// The same, where the pose is at hand.
+    pub fn anchor_of(&self, pose: &Pose) -> Vec3 {
+        let root = self.root(pose);
+        let anchor = Vec3::new(root.x, self.level.unwrap_or(root.y), root.z);
+        if anchor.is_finite() { anchor } else { Vec3::ZERO }
+    }
+
+    /// A camera that shows all that the figure does around `anchor`, and also `others`, as far as they are not much
+    /// farther away than the figure is large.
+    pub fn camera(&self, anchor: Vec3, others: &[Vec3], size: (usize, usize)) -> Camera {
+        self.camera_from((self.azimuth, ELEVATION), anchor, others, size)
+    }
+
+    /// The same, seen from a chosen side: azimuth and elevation of the [`Camera`], in radians.
+    pub fn camera_from(
+        &self,
+        (azimuth, elevation): (f32, f32),
+        anchor: Vec3,
+        others: &[Vec3],
+        size: (usize, usize),
+    ) -> Camera {
+        let mut camera = Camera { target: anchor, distance: self.size, ..Camera::default() };
+        camera.orbit(azimuth, elevation);
+        let mut points: Vec<Vec3> = self.surroundings.iter().map(|place| anchor + *place).collect();
+        points.extend(others.iter().filter(|place| place.distance(anchor) < 2.5 * self.size));
+        camera.frame(&points, size, MARGIN, 0.5 * self.size);
+        camera
+    }
+
+    /// The first joint's place, or the origin.
+    fn root(&self, pose: &Pose) -> Vec3 {
+        pose.transforms().first().map_or(Vec3::ZERO, |root| self.place(root.position))
+    }
+}
+
+/// The share of the picture that stays free on each side.
+pub const MARGIN: f32 = 0.08;
+
+/// The box around points; only the origin when there are none.
+#[derive(Default)]
+struct Bounds {
+    low: Vec3,
+    high: Vec3,
+    some: bool,
+}
+
+impl Bounds {
+    /// Makes room for `point`, if it is made of numbers.
+    fn add(&mut self, point: Vec3) {
+        if point.is_finite() {
+            let (low, high) = if self.some { (self.low, self.high) } else { (point, point) };
+            (self.low, self.high, self.some) = (low.min(point), high.max(point), true);
+        }
+    }
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above `number`.
+fn round_number(number: f32) -> f32 {
+    let power = 10f32.powf(number.log10().floor());
+    let rounded =
+        [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|round| *round <= number * 1.0001);
+    rounded.filter(|round| round.is_normal()).unwrap_or(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::samples;
+
+    #[test]
+    fn a_round_number_is_one_two_or_five() {
+        for (number, round) in
+            [(0.59, 0.5), (19.9, 10.0), (20.0, 20.0), (999.0, 500.0), (1.0, 1.0), (0.0021, 0.002)]
+        {
+            assert!((round_number(number) / round - 1.0).abs() < 1e-5, "{number}: {}", round_number(number));
+        }
+        assert!(round_number(0.0) == 0.0 && round_number(1e-42) > 0.0);
+    }
+
+    #[test]
+    fn a_skeleton_without_joints_is_an_empty_stage() {
+        let nothing = Motion::new(skeleton::Skeleton::new(), 0, 0.1, Vec::new()).unwrap();
+        let stage = Stage::new(nothing, PositionChannels::Replace);
+        assert_eq!((stage.size(), stage.anchor(0)), (1.0, Vec3::ZERO));
+        assert!(stage.camera(Vec3::ZERO, &[], (100, 100)).distance > 0.0);
+    }
+
+    #[test]
+    fn what_is_looked_at_does_not_grow_with_frames_times_joints() {
+        let frames = |joints: usize, count: usize| {
+            let mut skeleton = skeleton::Skeleton::new();
+            for _ in 0..joints {
+                skeleton.add_joint(None, "j", Vec3::Y, []).unwrap();
+            }
+            let stage =
+                Stage::new(Motion::new(skeleton, count, 0.1, Vec::new()).unwrap(), PositionChannels::Replace);
+            let mut looked = 0;
+            stage.sample(|_, _| looked += 1);
+            looked
+        };
+        assert_eq!(frames(30, 50), 50);
+        assert_eq!(frames(30, 120_000), MOST_SAMPLES);
+        assert_eq!(frames(MOST_SAMPLED_JOINTS / 10, 500), 10);
+        assert_eq!(frames(MOST_SAMPLED_JOINTS + 1, 500), 1);
+    }
+
+    #[test]
+    fn coordinates_too_large_for_single_precision_are_noticed() {
+        let stage = |offset: Vec3, root: f32| {
+            let mut skeleton = skeleton::Skeleton::new();
+            let position = vec![skeleton::Channel::from_word("Xposition").unwrap()];
+            let parent = skeleton.add_joint(None, "r", Vec3::ZERO, position).unwrap();
+            skeleton.add_end_site(parent, "End Site", offset).unwrap();
+            Stage::new(Motion::new(skeleton, 2, 0.1, vec![0.0, root]).unwrap(), PositionChannels::Replace)
+        };
+        assert!(!stage(Vec3::Y, 1e5).is_too_coarse());
+        assert!(!stage(Vec3::Y * 1e12, 1e5).is_too_coarse());
+        assert!(!stage(Vec3::Y * 1e-7, 1e-5).is_too_coarse());
+        assert!(stage(Vec3::Y, -1e8).is_too_coarse());
+        assert!(stage(Vec3::Y * 3e38, 0.0).is_too_coarse());
+    }
+
+    #[test]
+    fn a_motion_without_frames_shows_its_rest_pose_above_the_ground() {
+        let stage = Stage::new(samples::chain(0, 1.0), PositionChannels::Replace);
+        assert_eq!(stage.frame_count(), 1);
+        let pose = stage.reference(0);
+        let rest = stage.motion().skeleton().rest_positions();
+        let places: Vec<Vec3> = pose.transforms().iter().map(|t| t.position).collect();
+        assert_eq!(places, rest);
+        assert!(places.iter().all(|place| place.y >= stage.ground().height - 0.3 * stage.size()));
+    }
+
+    proptest! {
+        #[test]
+        fn the_first_camera_shows_every_joint_in_any_unit(
+            scale in prop_oneof![Just(1e-7f32), Just(0.01), Just(1.0), Just(39.37), Just(1e12)],
+            frames in 0usize..40,
+            width in 200usize..1500,
+            height in 200usize..1500,
+        ) {
+            let stage = Stage::new(samples::chain(frames, scale), PositionChannels::Replace);
+            for frame in 0..stage.frame_count() {
+                let view = stage.camera(stage.anchor(frame), &[], (width, height)).view((width, height));
+                for transform in stage.reference(frame).transforms() {
+                    let spot = view.project(transform.position).expect("in front of the camera");
+                    prop_assert!(spot.x > 0.0 && spot.x < width as f32 && spot.y > 0.0 && spot.y < height as f32);
+                }
+            }
+        }
+
+        #[test]
+        fn no_numbers_make_it_panic(values in prop::collection::vec(any::<f32>(), 9 * 3)) {
+            let skeleton = samples::chain(0, 1.0).skeleton().clone();
+            let motion = Motion::new(skeleton, 3, 0.1, values).unwrap();
+            let stage = Stage::new(motion, PositionChannels::Add);
+            stage.camera(stage.anchor(1), &[Vec3::NAN, Vec3::INFINITY], (100, 100));
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! Pictures, films and contact sheets as files.
+
+mod beside;
+pub mod film;
+pub mod frames;
+pub mod picture;
+pub mod pictures;
+pub mod sheet;

@@ -1,0 +1,170 @@
+//! What is known of a student's functions on one motion.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+use exam::Subject;
+use exam::fk::{LocalAnswer, PosedFrame};
+use skeleton::{FkFunctions, Frame, FrameCursor, Pose, pose_frame};
+
+use crate::live::student::{self, PATIENCE, Standing, Status};
+use crate::live::worker::Trouble;
+use crate::motion::stage::Stage;
+
+/// The answers of a student's functions.
+pub trait Answers {
+    /// How things stand with the functions, when this frame is shown.
+    fn standing(&self, frame: usize) -> Standing;
+
+    /// What they made of a frame (from 0), if they have answered.
+    fn posed(&self, frame: usize) -> Option<&PosedFrame>;
+
+    /// What part 1 made of every joint in a frame (from 0), if it was asked by itself and has answered.
+    fn locals(&self, frame: usize) -> Option<&[LocalAnswer]>;
+}
+
+/// How many joints are asked about at once.
+const JOINTS_AT_ONCE: usize = 8_000;
+
+/// Answers that have been given: for pictures, where all questions are asked beforehand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recorded {
+    /// How things stand, whatever the frame.
+    pub standing: Standing,
+    /// What the functions made of the frames that they were asked about.
+    pub poses: BTreeMap<usize, PosedFrame>,
+    /// What part 1 made of every joint in the frames that it was asked about.
+    pub locals: BTreeMap<usize, Vec<LocalAnswer>>,
+}
+
+impl Recorded {
+    /// No answers yet.
+    pub fn new(status: Status) -> Recorded {
+        let standing = Standing { status, current: true, board: None, grading: false };
+        Recorded { standing, poses: BTreeMap::new(), locals: BTreeMap::new() }
+    }
+
+    /// Asks a subject about these frames of the motion on `stage`, in any order, here and now. Where it fails, the answers
+    /// that it has given by then are kept.
+    pub fn ask(
+        subject: &mut impl Subject,
+        stage: &Stage,
+        frames: impl IntoIterator<Item = usize>,
+    ) -> Recorded {
+        let mut recorded = Recorded::new(Status::Answered);
+        let most = (JOINTS_AT_ONCE / stage.motion().skeleton().len().max(1)).max(1);
+        for frames in ranges(frames.into_iter().collect(), most) {
+            match student::ask(subject, stage, frames.clone()) {
+                Ok(poses) => recorded.poses.extend(frames.zip(poses)),
+                Err(failure) => {
+                    recorded.standing.status = Status::Failed(Trouble::from(failure).into());
+                    break;
+                }
+            }
+        }
+        recorded
+    }
+
+    /// Asks part 1 by itself about every joint in a frame. Where it fails nothing is known.
+    pub fn ask_locals(&mut self, subject: &mut impl Subject, stage: &Stage, frame: usize) {
+        let joints = stage.motion().skeleton().joints();
+        if let Ok(locals) = student::ask_locals(subject, joints, stage.frame(frame).angles, PATIENCE) {
+            self.locals.insert(frame, locals);
+        }
+    }
+
+    /// The answers of `functions` to these frames of the motion on `stage`, given here and now. A panic of theirs goes
+    /// through.
+    pub fn of(functions: &FkFunctions, stage: &Stage, frames: impl IntoIterator<Item = usize>) -> Recorded {
+        let mut recorded = Recorded::new(Status::Answered);
+        let skeleton = stage.motion().skeleton();
+        let mut frame = Frame::default();
+        for index in frames {
+            stage.read_frame(index, &mut frame);
+            let mut pose = Pose::default();
+            let leftover = pose_frame(skeleton, &frame, functions, &mut pose);
+            let posed = PosedFrame { pose, taken: leftover.taken, available: leftover.available };
+            recorded.poses.insert(index, posed);
+
+            let mut cursor = FrameCursor::new(&frame.angles);
+            let local = |joint| {
+                let before = cursor.taken();
+                let rotation = (functions.local_quaternion)(joint, &mut cursor);
+                LocalAnswer { rotation, taken: cursor.taken().saturating_sub(before) }
+            };
+            recorded.locals.insert(index, skeleton.joints().iter().map(local).collect());
+        }
+        recorded
+    }
+}
+
+/// Frames in a row, at most so many in each range.
+fn ranges(frames: BTreeSet<usize>, most: usize) -> Vec<Range<usize>> {
+    let mut ranges: Vec<Range<usize>> = Vec::new();
+    for frame in frames {
+        match ranges.last_mut() {
+            Some(range) if range.end == frame && range.len() < most => range.end += 1,
+            _ => ranges.push(frame..frame + 1),
+        }
+    }
+    ranges
+}
+
+impl Answers for Recorded {
+    fn standing(&self, _: usize) -> Standing {
+        self.standing.clone()
+    }
+
+    fn posed(&self, frame: usize) -> Option<&PosedFrame> {
+        self.poses.get(&frame)
+    }
+
+    fn locals(&self, frame: usize) -> Option<&[LocalAnswer]> {
+        self.locals.get(&frame).map(Vec::as_slice)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use exam::{Functions, InProcess};
+    use skeleton::PositionChannels;
+
+    use super::*;
+    use crate::samples;
+
+    #[test]
+    fn frames_are_asked_in_rows() {
+        let set = |frames: &[usize]| frames.iter().copied().collect::<BTreeSet<_>>();
+        assert_eq!(ranges(set(&[5, 1, 2, 3, 9]), 2), [1..3, 3..4, 5..6, 9..10]);
+        assert!(ranges(set(&[]), 2).is_empty());
+    }
+
+    #[test]
+    fn what_a_subject_says_is_what_its_functions_give() {
+        let stage = Stage::new(samples::chain(9, 1.0), PositionChannels::Replace);
+        let frames = [7, 2, 3, 2];
+        let mut subject = InProcess(Functions::Fk(solutions::FK));
+        let asked = Recorded::ask(&mut subject, &stage, frames);
+        assert_eq!(asked.poses, Recorded::of(&solutions::FK, &stage, frames).poses);
+        assert_eq!(asked.posed(3).unwrap().pose, stage.reference(3));
+        assert_eq!(asked.posed(4), None);
+    }
+
+    #[test]
+    fn what_was_answered_before_a_panic_is_kept() {
+        fn panics(joint: &skeleton::Joint, frame: &mut FrameCursor) -> glam::Quat {
+            let angles = frame.take3();
+            // The angles of frame 5 and later.
+            if joint.is_root() && angles[0] >= 10.0 {
+                panic!("too much")
+            }
+            glam::Quat::IDENTITY
+        }
+        let stage = Stage::new(samples::chain(9, 1.0), PositionChannels::Replace);
+        let functions = FkFunctions { local_quaternion: panics, ..solutions::FK };
+        let asked = Recorded::ask(&mut InProcess(Functions::Fk(functions)), &stage, [1, 2, 6, 7]);
+        assert_eq!(asked.poses.keys().copied().collect::<Vec<_>>(), [1, 2]);
+        let Status::Failed(trouble) = asked.standing.status else { panic!() };
+        assert!(trouble.headline.contains("too much"));
+    }
+}

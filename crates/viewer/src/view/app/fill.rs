@@ -1,0 +1,211 @@
+//! From the state of the viewer to what is to be seen.
+
+use glam::Vec3;
+use grading::PartState;
+use skeleton::Pose;
+
+use super::{App, Shown};
+use crate::camera::Camera;
+use crate::draw::ruler;
+use crate::motion::stage::Wanted;
+use crate::scene::{Figure, Look, Off, ScaleBar, Scene, Timeline, Trail};
+use crate::view::texts::{self, Facts};
+
+/// How long a trace is: seconds of the motion, and points in it.
+const TRACE_SECONDS: f64 = 2.0;
+const TRACE_POINTS: usize = 120;
+
+impl App {
+    /// What is to be seen now in a picture of `size` pixels.
+    pub fn scene(&mut self, shown: Shown, size: (usize, usize)) -> Scene {
+        let mut scene = Scene::default();
+        self.fill(&mut scene, shown, size);
+        scene
+    }
+
+    /// Makes `scene` what is to be seen now in a picture of `size` pixels. Its memory is used again.
+    pub fn fill(&mut self, scene: &mut Scene, shown: Shown, size: (usize, usize)) {
+        let mut memory = std::mem::take(&mut self.memory);
+        let frame = self.frame();
+        self.stage.read_reference(frame, &mut memory.frame, &mut memory.reference);
+        let anchor = self.stage.anchor_of(&memory.reference);
+        let posed = match shown {
+            Shown::Reference => None,
+            Shown::Student(answers) => answers.posed(frame),
+        };
+        self.point_camera(
+            &memory.reference,
+            posed.map(|posed| &posed.pose),
+            anchor,
+            &mut memory.places,
+            size,
+        );
+
+        let (stage, settings) = (&self.stage, self.settings);
+        scene.camera = self.camera;
+        scene.ground = stage.ground();
+        scene.style = settings.style;
+        scene.size = stage.size();
+        scene.text_scale = settings.text_scale;
+        scene.marks.clear();
+        scene.figures.clear();
+        scene.trails.clear();
+        scene.panels.clear();
+
+        let standing = match shown {
+            Shown::Reference => None,
+            Shown::Student(answers) => Some(answers.standing(frame)),
+        };
+        if let Some(board) = standing.as_ref().and_then(|standing| standing.board.as_deref()) {
+            // Before the last part is begun no joint can be where it belongs: nothing is wrong yet.
+            self.judged = board.rows.last().is_none_or(|row| row.state != PartState::NotStarted);
+        }
+        let solid = match shown {
+            Shown::Reference => Some(&memory.reference),
+            Shown::Student(_) => posed.map(|posed| &posed.pose),
+        };
+        if standing.is_some() && settings.ghost {
+            let wanted = Wanted { look: Look::Ghost, ..Wanted::default() };
+            stage.fill(scene.figures.add(), &memory.reference, &wanted);
+        }
+        if let Some(pose) = solid {
+            let current = standing.as_ref().is_none_or(|standing| standing.current);
+            let wanted = Wanted {
+                look: if current { Look::Solid } else { Look::Dimmed },
+                axes: settings.axes,
+                expected: standing.as_ref().map(|_| &memory.reference),
+                judged: self.judged,
+                selected: self.selected,
+            };
+            stage.fill(scene.figures.add(), pose, &wanted);
+        }
+        let worst = scene.figures.last().map_or(Off::Right, worst);
+
+        if settings.traces {
+            self.trace(scene, shown, &mut memory.frame, &mut memory.past);
+        }
+        scene.timeline = self.timeline();
+        if settings.words {
+            scale_bar(scene, size);
+            // Tracing has used this memory for other frames.
+            stage.read_frame(frame, &mut memory.frame);
+            let facts = Facts {
+                app: self,
+                shown,
+                standing: standing.as_ref(),
+                posed,
+                solid,
+                reference: &memory.reference,
+                angles: &memory.frame.angles,
+                local_positions: &memory.frame.local_positions,
+                worst,
+                outside: solid.map_or(0, |pose| outside(stage.places(pose), &scene.camera, size)),
+                size: (size.0 as f32 / settings.text_scale, size.1 as f32 / settings.text_scale),
+            };
+            texts::panels(&facts, &mut scene.panels);
+        } else {
+            scene.scale_bar = None;
+        }
+        self.memory = memory;
+    }
+
+    /// The bar that shows the frame among all frames, where there is one.
+    pub fn timeline(&self) -> Option<Timeline> {
+        let player = &self.player;
+        (self.settings.words && player.count() > 1).then(|| Timeline {
+            frame: player.frame(),
+            count: player.count(),
+            range: player.range(),
+            playing: player.is_playing(),
+        })
+    }
+
+    fn point_camera(
+        &mut self,
+        reference: &Pose,
+        students: Option<&Pose>,
+        anchor: Vec3,
+        places: &mut Vec<Vec3>,
+        size: (usize, usize),
+    ) {
+        let stage = self.stage.clone();
+        places.clear();
+        places.extend(stage.places(reference));
+        let own = places.len();
+        places.extend(students.into_iter().flat_map(|pose| stage.places(pose)));
+        let (reference, own) = places.split_at(own);
+        self.aim(anchor, reference, students.map(|_| own), size);
+    }
+
+    /// How many frames a trace goes back, the shown one included.
+    pub fn traced_frames(&self) -> usize {
+        let (count, seconds) = (self.stage.frame_count(), self.stage.motion().playable_frame_time());
+        // A float cast keeps to the range of its type.
+        ((TRACE_SECONDS / seconds) as usize).clamp(1, count)
+    }
+
+    /// Where the tips of the solid figure have been.
+    fn trace(&self, scene: &mut Scene, shown: Shown, frame: &mut skeleton::Frame, past: &mut Pose) {
+        let stage = &self.stage;
+        let tips = stage.traced();
+        let most = self.traced_frames();
+        // Every so many frames of the motion, so that points do not crawl along their trace.
+        let step = most.div_ceil(TRACE_POINTS).max(1);
+        for index in 0..tips.len() {
+            let trail = scene.trails.add();
+            trail.index = index;
+            trail.points.clear();
+        }
+        for index in self.player.traced(most) {
+            if index % step != 0 && index != self.frame() {
+                continue;
+            }
+            let pose = match shown {
+                Shown::Reference => {
+                    stage.read_reference(index, frame, past);
+                    Some(&*past)
+                }
+                Shown::Student(answers) => answers.posed(index).map(|posed| &posed.pose),
+            };
+            let Some(pose) = pose else { continue };
+            for (trail, tip) in scene.trails.items_mut().iter_mut().zip(tips) {
+                extend(trail, stage.place(pose.transforms()[*tip].position));
+            }
+        }
+    }
+}
+
+/// Adds a point, if it is one.
+fn extend(trail: &mut Trail, place: Vec3) {
+    if place.is_finite() {
+        trail.points.push(place);
+    }
+}
+
+/// How far the joint that is farthest off is off.
+fn worst(figure: &Figure) -> Off {
+    figure.joints.iter().map(|dot| dot.off).max().unwrap_or(Off::Right)
+}
+
+/// A length to compare with, where one fits.
+fn scale_bar(scene: &mut Scene, size: (usize, usize)) {
+    let Some(length) = ruler::fitting_length(&scene.camera, size, scene.text_scale) else {
+        scene.scale_bar = None;
+        return;
+    };
+    let bar = scene.scale_bar.get_or_insert_with(ScaleBar::default);
+    bar.length = length;
+    bar.label.clear();
+    texts::write_units(&mut bar.label, length);
+}
+
+/// How many places the picture does not show.
+fn outside(places: impl Iterator<Item = Vec3>, camera: &Camera, size: (usize, usize)) -> usize {
+    let view = camera.view(size);
+    let inside = |place: Vec3| {
+        view.project(place).is_some_and(|spot| {
+            (0.0..size.0 as f32).contains(&spot.x) && (0.0..size.1 as f32).contains(&spot.y)
+        })
+    };
+    places.filter(|place| place.is_finite() && !inside(*place)).count()
+}

@@ -1,0 +1,248 @@
+//! What the viewer shows of one motion at a moment: the state that keys and mouse change, and the scene that follows
+//! from it.
+
+mod aim;
+mod fill;
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use glam::Vec3;
+use skeleton::{Frame, Pose};
+
+use crate::camera::Camera;
+use crate::motion::stage::Stage;
+use crate::scene::Style;
+use crate::view::answers::Answers;
+use crate::view::player::Player;
+use crate::window::keys::Action;
+
+use aim::Aim;
+
+/// Whose functions move the figure.
+#[derive(Clone, Copy)]
+pub enum Shown<'a> {
+    /// The reference solution's.
+    Reference,
+    /// The student's, with the reference's figure beside them as the goal.
+    Student(&'a dyn Answers),
+}
+
+/// What is drawn, and how. All of it can be changed by keys, or on the command line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Bodies in the light, or lines.
+    pub style: Style,
+    /// Whether the goal is shown beside the student's figure.
+    pub ghost: bool,
+    /// Whether joints have axes.
+    pub axes: bool,
+    /// Whether the tips of the figure leave traces.
+    pub traces: bool,
+    /// Whether the camera moves along with the figure.
+    pub follow: bool,
+    /// Whether the student's points are shown.
+    pub points: bool,
+    /// Whether the keys are explained.
+    pub help: bool,
+    /// Whether there are words, a legend, a scale and a bar in the picture at all.
+    pub words: bool,
+    /// How large texts are: 1 is the size for an ordinary display.
+    pub text_scale: f32,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            style: Style::Lit,
+            ghost: true,
+            axes: true,
+            traces: true,
+            follow: true,
+            points: true,
+            help: false,
+            words: true,
+            text_scale: 1.0,
+        }
+    }
+}
+
+/// The state of the viewer for one motion.
+#[derive(Clone, Debug)]
+pub struct App {
+    /// What is drawn, and how.
+    pub settings: Settings,
+    stage: Arc<Stage>,
+    title: String,
+    warnings: Vec<String>,
+    /// Why the file cannot be read as it is now.
+    unreadable: Vec<String>,
+    player: Player,
+    camera: Camera,
+    /// From the followed point to the camera's target.
+    offset: Vec3,
+    aim: Aim,
+    selected: Option<usize>,
+    /// Whether the student's joints tell how far they are off.
+    judged: bool,
+    memory: Memory,
+}
+
+/// What is used again for every picture.
+#[derive(Clone, Debug, Default)]
+struct Memory {
+    frame: Frame,
+    reference: Pose,
+    past: Pose,
+    places: Vec<Vec3>,
+}
+
+impl App {
+    /// Shows `stage` from its frame 0. `title` is the file's name; `warnings` are shown with it.
+    pub fn new(stage: Arc<Stage>, title: String, warnings: Vec<String>, size: (usize, usize)) -> App {
+        let anchor = stage.anchor(0);
+        let camera = stage.camera(anchor, &[], size);
+        App {
+            settings: Settings::default(),
+            player: Player::new(stage.frame_count(), stage.motion().playable_frame_time()),
+            offset: camera.target - anchor,
+            camera,
+            stage,
+            title,
+            warnings,
+            unreadable: Vec::new(),
+            aim: Aim::Meet,
+            selected: None,
+            judged: false,
+            memory: Memory::default(),
+        }
+    }
+
+    /// Shows another state of the same motion, whose file has changed. What can stay as it is does.
+    pub fn replace(&mut self, stage: Arc<Stage>, warnings: Vec<String>) {
+        self.player = self.player.for_motion(stage.frame_count(), stage.motion().playable_frame_time());
+        if self.selected.is_some_and(|joint| joint >= stage.motion().skeleton().len()) {
+            self.selected = None;
+        }
+        // In another unit, or at another place, the camera would look at nothing.
+        if (stage.size() / self.stage.size() - 1.0).abs() > 0.2 {
+            self.aim = Aim::Meet;
+            let anchor = stage.anchor(self.frame());
+            self.camera.distance *= stage.size() / self.stage.size();
+            self.offset = stage.camera(anchor, &[], (16, 9)).target - anchor;
+        }
+        (self.stage, self.warnings) = (stage, warnings);
+        self.unreadable.clear();
+    }
+
+    /// The file cannot be read as it is now, for this reason; what could be read of it before stays.
+    pub fn cannot_read(&mut self, why: &str) {
+        self.unreadable = why.lines().map(str::to_owned).collect();
+    }
+
+    /// Why the file cannot be read as it is now, line by line; nothing when it can.
+    pub fn unreadable(&self) -> &[String] {
+        &self.unreadable
+    }
+
+    /// What there is to say about the file.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// The motion that is shown.
+    pub fn stage(&self) -> &Arc<Stage> {
+        &self.stage
+    }
+
+    /// The file's name.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Which frame is shown, and how it plays.
+    pub fn player(&self) -> &Player {
+        &self.player
+    }
+
+    /// The frame to show, from 0.
+    pub fn frame(&self) -> usize {
+        self.player.frame()
+    }
+
+    /// The joint that the user looks at.
+    pub fn selected(&self) -> Option<usize> {
+        self.selected
+    }
+
+    /// Looks at this joint, if the skeleton has it, or at none.
+    pub fn select(&mut self, joint: Option<usize>) {
+        self.selected = joint.filter(|joint| *joint < self.stage.motion().skeleton().len());
+    }
+
+    /// Goes to `frame`, or to the last one.
+    pub fn go_to(&mut self, frame: usize) {
+        self.player.go_to(frame);
+    }
+
+    /// A line for the window's title bar.
+    pub fn window_title(&self) -> String {
+        let playing = if self.player.is_playing() { " · playing" } else { "" };
+        format!("{} · frame {} / {}{playing}", self.title, self.frame(), self.stage.motion().frame_count())
+    }
+
+    /// Lets `seconds` pass.
+    pub fn advance(&mut self, seconds: f64) {
+        self.player.advance(seconds);
+    }
+
+    /// Does what a key asks for. [`Action::Quit`] and [`Action::NextMotion`] are not up to one motion.
+    pub fn act(&mut self, action: Action) {
+        let settings = &mut self.settings;
+        match action {
+            Action::Step(frames) => self.player.step(frames),
+            Action::First => self.player.go_to(0),
+            Action::Last => self.player.go_to(usize::MAX),
+            Action::Play => self.player.toggle(),
+            Action::Reverse => self.player.reverse(),
+            Action::Slower => self.player.change_speed(false),
+            Action::Faster => self.player.change_speed(true),
+            Action::Loop => self.player.toggle_loop(),
+            Action::RangeStart => self.player.begin_range(),
+            Action::RangeEnd => self.player.end_range(),
+            Action::Frame => self.aim = Aim::Everything,
+            Action::Follow => {
+                settings.follow = !settings.follow;
+                self.offset = self.camera.target - self.stage.anchor(self.player.frame());
+            }
+            Action::Ghost => settings.ghost = !settings.ghost,
+            Action::Traces => settings.traces = !settings.traces,
+            Action::Axes => settings.axes = !settings.axes,
+            Action::Look => {
+                settings.style = match settings.style {
+                    Style::Lit => Style::Lines,
+                    Style::Lines => Style::Lit,
+                }
+            }
+            Action::Points => settings.points = !settings.points,
+            Action::Help => settings.help = !settings.help,
+            Action::NextJoint => self.select_next(1),
+            Action::PreviousJoint => self.select_next(-1),
+            Action::NoJoint => self.selected = None,
+            Action::NextMotion | Action::Quit => {}
+        }
+    }
+
+    fn select_next(&mut self, by: isize) {
+        let count = self.stage.motion().skeleton().len();
+        if count == 0 {
+            return;
+        }
+        self.selected = Some(match self.selected {
+            None if by > 0 => 0,
+            None => count - 1,
+            Some(joint) => (joint as isize + by).rem_euclid(count as isize) as usize,
+        });
+    }
+}

@@ -1,0 +1,143 @@
+//! Which motion and frame is shown, whose functions move it, and what is wrong.
+
+use glam::Vec3;
+
+use super::Facts;
+use super::number::Rounded;
+use crate::live::student::Status;
+use crate::motion::upright::Up;
+use crate::scene::{Line, Panel};
+use crate::view::app::Shown;
+
+pub fn write(facts: &Facts, panel: &mut Panel) {
+    panel.add(Line::Heading, facts.app.title());
+    let unreadable = facts.app.unreadable();
+    unreadable.iter().for_each(|line| panel.add(Line::Trouble, line));
+    if facts.app.stage().motion().skeleton().is_empty() && !unreadable.is_empty() {
+        return panel.add(Line::Text, "Mend the file and save it: this window follows.");
+    }
+    if !unreadable.is_empty() {
+        panel.add(Line::Text, "The last state of the file that could be read stays.");
+    }
+    frame(facts, panel);
+    for warning in facts.app.warnings() {
+        panel.add(Line::Trouble, warning);
+    }
+    let stage = facts.app.stage();
+    if stage.is_too_coarse() {
+        panel.add(
+            Line::Trouble,
+            "the coordinates in this file are too large for single precision: the figure is distorted",
+        );
+    }
+    match stage.up() {
+        Up::Y => {}
+        Up::X => panel.add(Line::Quiet, "X is up in this file"),
+        Up::Z => panel.add(Line::Quiet, "Z is up in this file"),
+    }
+    functions(facts, panel);
+    undrawn(facts, panel);
+    angles(facts, panel);
+}
+
+fn frame(facts: &Facts, panel: &mut Panel) {
+    let (player, motion) = (facts.app.player(), facts.app.stage().motion());
+    let seconds = motion.playable_frame_time();
+    let count = match motion.frame_count() {
+        0 if motion.skeleton().channel_count() == 0 => {
+            return panel.add(Line::Trouble, "nothing in this file moves: its rest pose is shown");
+        }
+        0 => return panel.add(Line::Trouble, "this file has no frames: its rest pose is shown"),
+        1 => return panel.add(Line::Text, "frame 0 / 1: only one frame, nothing to play"),
+        count => count,
+    };
+    let (frame, time) = (player.frame(), player.frame() as f64 * seconds);
+    match player.is_playing() {
+        true => panel.add(
+            Line::Text,
+            format_args!(
+                "frame {frame} / {count}    {time:.2} s    {} frames per second",
+                Rounded(1.0 / seconds)
+            ),
+        ),
+        false => panel.add(Line::Text, format_args!("frame {frame} / {count}    {time:.2} s    paused")),
+    }
+    let speed = Rounded(player.speed());
+    let backwards = if player.is_backwards() { ", backwards" } else { "" };
+    let once = if player.is_looping() { "" } else { ", once" };
+    let (first, last) = player.range();
+    if player.has_range() {
+        panel.add(Line::Quiet, format_args!("speed {speed}×{backwards}{once}, frames {first} to {last}"));
+    } else if player.speed() != 1.0 || !backwards.is_empty() || !once.is_empty() {
+        panel.add(Line::Quiet, format_args!("speed {speed}×{backwards}{once}"));
+    }
+}
+
+fn functions(facts: &Facts, panel: &mut Panel) {
+    let Some(standing) = facts.standing else {
+        return panel.add(Line::Text, "the reference solution's figure");
+    };
+    let shown = facts.solid.is_some();
+    match &standing.status {
+        Status::Compiling => panel.add(Line::Text, "compiling your functions…"),
+        Status::Asking => panel.add(Line::Text, "asking your functions…"),
+        Status::Answered => panel.add(Line::Text, "your functions' figure"),
+        Status::Failed(trouble) => {
+            panel.add(Line::Trouble, &trouble.headline);
+            trouble.details.iter().for_each(|line| panel.add(Line::Trouble, line));
+            panel.add(
+                Line::Text,
+                if shown { "Mend it and save: this window follows." } else { ONLY_THE_GOAL },
+            );
+        }
+    }
+    if shown && !standing.current {
+        panel.add(Line::Quiet, "pale: the figure of your last version that worked");
+    }
+}
+
+const ONLY_THE_GOAL: &str = "Only the goal is shown. Mend it and save: this window follows.";
+
+/// What cannot be seen of the figure to look at.
+fn undrawn(facts: &Facts, panel: &mut Panel) {
+    let Some(pose) = facts.solid else { return };
+    let whose = match facts.shown {
+        Shown::Reference => "the",
+        Shown::Student(_) => "your",
+    };
+    let places = pose.transforms().iter().map(|transform| transform.position);
+    let (joints, outside) = (pose.len(), facts.outside);
+    let lost = places.filter(|place: &Vec3| !place.is_finite()).count();
+    if outside > 0 {
+        panel.add(
+            Line::Trouble,
+            format_args!(
+                "{outside} of {whose} {joints} joints are outside of the picture: press f to see all"
+            ),
+        );
+    }
+    if lost > 0 {
+        panel.add(
+            Line::Trouble,
+            format_args!("NaN or infinity as the place of {lost} of {whose} {joints} joints: not drawn"),
+        );
+    }
+}
+
+/// Whether the student's functions take the right number of angles.
+fn angles(facts: &Facts, panel: &mut Panel) {
+    let Some(posed) = facts.posed else { return };
+    if facts.standing.is_some_and(|standing| !standing.current) {
+        return;
+    }
+    match (posed.taken, posed.available) {
+        (0, 1..) => panel.add(Line::Text, "part 1 takes no angles of the frame yet"),
+        (taken, available) if taken != available => panel.add(
+            Line::Trouble,
+            format_args!(
+                "part 1 takes {taken} angles of this frame, which holds {available}: each joint takes its own three, or none"
+            ),
+        ),
+        _ => {}
+    }
+}
