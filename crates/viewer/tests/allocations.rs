@@ -46,9 +46,9 @@ fn the_second_picture_of_a_frame_and_a_paler_one_allocate_nothing() {
     assert_eq!(paler.count_total, 0, "{paler:?}");
 }
 
-/// From the frame's angles to pixels, as the window does it for the reference and for a student, with a joint chosen.
+/// As the window does it for the reference and for a student, with a joint chosen.
 #[test]
-fn the_window_allocates_nothing_from_picture_to_picture() {
+fn from_the_frames_angles_to_pixels_nothing_is_allocated() {
     const FRAMES: usize = 60;
     let stage = Arc::new(support::stage());
     let answers = Recorded::of(&solutions::FK, &stage, 0..FRAMES);

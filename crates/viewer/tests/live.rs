@@ -5,10 +5,11 @@
 #[path = "../../grading/tests/support/mod.rs"]
 mod support;
 
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
-use std::{fs, thread};
+use std::thread;
+use std::time::{Duration, Instant, SystemTime};
 
 use skeleton::PositionChannels;
 use support::Course;
@@ -115,6 +116,19 @@ fn a_save_swaps_the_picture_an_error_is_told_with_its_line_and_the_last_good_pos
     let board = desk.until("the new points", |standing| standing.board.clone());
     assert!(board.points < 15);
 
+    // A copy that is put in the file's place keeps its time, which is long before the last build.
+    let copy = desk.course.folder.join("copy.rs");
+    fs::write(&copy, with_root("local_position + 9.0 * Vec3::X")).unwrap();
+    let long_ago = SystemTime::UNIX_EPOCH + Duration::from_secs(1_000_000_000);
+    File::options().append(true).open(&copy).unwrap().set_modified(long_ago).unwrap();
+    fs::rename(&copy, desk.course.folder.join("exercises/fk/src/fk.rs")).unwrap();
+    desk.until("the copy to be noticed", |standing| (!standing.current).then_some(()));
+    desk.until("the copy's pose", current);
+    assert_eq!(desk.off(), 9.0);
+
+    desk.course.save(&with_root("local_position + 7.0 * Vec3::X"));
+    desk.until("the version before", |standing| (!standing.current).then_some(()));
+    desk.until("its pose", current);
     let wrong = with_root("local_position +");
     desk.course.save(&wrong);
     let trouble = desk.until("the error", failed);

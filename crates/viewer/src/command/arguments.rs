@@ -7,9 +7,9 @@ use clap::{Parser, ValueEnum};
 use skeleton::PositionChannels;
 
 use crate::draw::canvas::MAX_SIDE;
-use crate::motion::source::Source;
+use crate::motion::source::{Loaded, Source};
 use crate::motion::upright::Up;
-use crate::output::frames::FrameRange;
+use crate::output::frames::{self, FrameRange};
 use crate::scene::Style;
 use crate::view::app::Settings;
 use crate::view::gallery::Gallery;
@@ -171,6 +171,16 @@ impl Arguments {
         (width / columns, height / rows)
     }
 
+    /// Sees to it that the first motion has the frame that is asked for. Others are shown at the same time.
+    ///
+    /// # Errors
+    ///
+    /// When it has not.
+    pub fn check_frame(&self, source: &Source, loaded: &Loaded) -> Result<(), String> {
+        let count = loaded.stage.motion().frame_count();
+        frames::check(self.frame, count).map_err(|error| format!("{}: {error}", source.title()))
+    }
+
     /// Sets all motions up: what is drawn of them, the frame, the joint, and the side to look from.
     ///
     /// # Errors
@@ -179,8 +189,8 @@ impl Arguments {
     pub fn prepare(&self, gallery: &mut Gallery) -> Result<(), String> {
         for app in gallery.apps_mut() {
             app.settings = self.settings();
-            app.go_to(self.frame);
         }
+        gallery.go_to(0, self.frame);
         if let Some(Side { around, above, zoom }) = self.camera {
             let tiles: Vec<_> = gallery.tiles(self.size()).collect();
             for tile in tiles {
@@ -223,7 +233,7 @@ fn select(gallery: &mut Gallery, name: &str) -> Result<(), String> {
         app.select(joint);
         found |= joint.is_some();
     }
-    // A file that cannot be read yet may have it.
+    // Nothing is known of a file that cannot be read.
     let first = gallery.apps().iter().find(|app| app.unreadable().is_empty());
     let (Some(app), false) = (first, found) else { return Ok(()) };
     let joints = app.stage().motion().skeleton().joints().iter().filter(|joint| !joint.is_end_site);

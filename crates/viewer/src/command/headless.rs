@@ -16,7 +16,7 @@ use crate::live::student::{Status, Version};
 use crate::live::worker;
 use crate::motion::source::Source;
 use crate::output::film::{self, Format, Frames};
-use crate::output::frames::{self, FrameRange};
+use crate::output::frames::FrameRange;
 use crate::output::picture;
 use crate::output::sheet::{Sheet, spread};
 use crate::view::answers::Recorded;
@@ -57,8 +57,9 @@ impl Studio {
         let mut apps = Vec::new();
         for source in sources {
             let loaded = source.read().map_err(text)?;
-            let count = loaded.stage.motion().frame_count();
-            frames::check(arguments.frame, count).map_err(|error| format!("{}: {error}", source.title()))?;
+            if apps.is_empty() {
+                arguments.check_frame(source, &loaded)?;
+            }
             let tile = arguments.tile(sources.len());
             apps.push(App::new(loaded.stage, source.title(), loaded.warnings, tile));
         }
@@ -108,7 +109,11 @@ impl Studio {
         let mut recorded = Recorded::ask(worker, app.stage(), frames);
         if app.selected().is_some() && app.settings.words {
             for frame in &self.frames {
-                recorded.ask_locals(worker, app.stage(), self.frame_of(motion, *frame));
+                recorded.ask_locals(
+                    worker,
+                    app.stage(),
+                    self.gallery.frame_at_the_time_of(0, *frame, motion),
+                );
             }
         }
         recorded
@@ -118,33 +123,20 @@ impl Studio {
     fn seen_with(&self, motion: usize, frame: usize) -> impl Iterator<Item = usize> + use<> {
         let app = &self.gallery.apps()[motion];
         let mut player = app.player().clone();
-        player.go_to(self.frame_of(motion, frame));
+        player.go_to(self.gallery.frame_at_the_time_of(0, frame, motion));
         let traced = if app.settings.traces { app.traced_frames() } else { 1 };
         player.traced(traced)
     }
 
-    /// The frame of a motion that is shown beside one of the first: that of the same time.
-    fn frame_of(&self, motion: usize, frame: usize) -> usize {
-        let seconds = |motion: usize| self.gallery.apps()[motion].stage().motion().playable_frame_time();
-        (frame as f64 * seconds(0) / seconds(motion)).round() as usize
-    }
-
     fn draw(&mut self, frame: usize) {
-        self.go_to(frame);
+        self.gallery.go_to(0, frame);
         self.draw_now();
     }
 
     fn draw_playing(&mut self, frame: usize) {
-        self.go_to(frame);
+        self.gallery.go_to(0, frame);
         self.gallery.act(Action::Play);
         self.draw_now();
-    }
-
-    fn go_to(&mut self, frame: usize) {
-        for motion in 0..self.gallery.apps().len() {
-            let frame = self.frame_of(motion, frame);
-            self.gallery.apps_mut()[motion].go_to(frame);
-        }
     }
 
     fn draw_now(&mut self) {

@@ -12,7 +12,6 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::motion::source::{self, Loaded, Source};
-use crate::output::frames;
 use crate::view::app::App;
 use crate::view::gallery::Gallery;
 use crate::view::session::Session;
@@ -50,7 +49,7 @@ fn view(arguments: &Arguments) -> Result<(), String> {
 
     let mut apps = Vec::new();
     for source in &sources {
-        apps.push(open(arguments, source, sources.len())?);
+        apps.push(open(arguments, source, sources.len(), apps.is_empty())?);
     }
     let mut gallery = Gallery::new(apps);
     arguments.prepare(&mut gallery)?;
@@ -61,7 +60,7 @@ fn view(arguments: &Arguments) -> Result<(), String> {
 
 /// A motion as the window shows it first. One that cannot be read is told in the terminal and in the window, where it
 /// appears as soon as it can be.
-fn open(arguments: &Arguments, source: &Source, count: usize) -> Result<App, String> {
+fn open(arguments: &Arguments, source: &Source, count: usize, is_first: bool) -> Result<App, String> {
     // A name without a file is most likely a slip of the hand.
     if !source.path.exists() {
         source.read().map_err(text)?;
@@ -69,8 +68,9 @@ fn open(arguments: &Arguments, source: &Source, count: usize) -> Result<App, Str
     let loaded = source.read();
     match &loaded {
         Ok(loaded) => {
-            let frames = loaded.stage.motion().frame_count();
-            frames::check(arguments.frame, frames).map_err(|error| format!("{}: {error}", source.title()))?;
+            if is_first {
+                arguments.check_frame(source, loaded)?;
+            }
             say(&report(source, loaded));
         }
         Err(error) => eprintln!("{error}"),

@@ -33,7 +33,7 @@ pub(crate) fn error(diagnostic: &Value) -> Option<Found> {
     let mut words = vec![format!("error{code}: {first}")];
     if message.contains("linker") && message.contains("not found") {
         words.push(
-            "Rust needs a linker. On Debian and Ubuntu: sudo apt install build-essential. On macOS: xcode-select --install"
+            "Rust needs a linker. On Debian and Ubuntu: sudo apt install build-essential. On macOS: xcode-select --install. On Windows: the Visual Studio Build Tools"
                 .into(),
         );
     }

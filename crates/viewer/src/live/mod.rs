@@ -41,10 +41,17 @@ impl Live {
         workspace: &Path,
         stages: Vec<Arc<Stage>>,
         motions: Vec<PathBuf>,
-        build: impl FnMut(&Version) -> Result<WorkerProcess, Trouble> + Send + 'static,
+        mut build: impl FnMut(&Version) -> Result<WorkerProcess, Trouble> + Send + 'static,
     ) -> Live {
         // What is saved from here on is noticed; what was saved before is what is built.
         let baseline = Baseline::now(&workspace.join("exercises").join("fk").join("src"), &motions);
+        let (folder, mut saved) = (workspace.to_owned(), false);
+        let build = move |version: &Version| {
+            if std::mem::replace(&mut saved, true) {
+                worker::make_stale(&folder);
+            }
+            build(version)
+        };
         let mut terminal = Terminal::default();
         let student = Student::start(stages, build, move |news| terminal.tell(news));
         let rebuilder = student.rebuilder();
@@ -105,6 +112,10 @@ impl Answers for OfMotion<'_> {
 
     fn posed(&self, frame: usize) -> Option<&PosedFrame> {
         self.student.pose(self.motion, frame)
+    }
+
+    fn version(&self, frame: usize) -> Option<u64> {
+        self.student.version(self.motion, frame)
     }
 
     fn locals(&self, frame: usize) -> Option<&[LocalAnswer]> {

@@ -19,6 +19,9 @@ pub trait Answers {
     /// What they made of a frame (from 0), if they have answered.
     fn posed(&self, frame: usize) -> Option<&PosedFrame>;
 
+    /// Which version of the functions that was: one saved later has a higher number.
+    fn version(&self, frame: usize) -> Option<u64>;
+
     /// What part 1 made of every joint in a frame (from 0), if it was asked by itself and has answered.
     fn locals(&self, frame: usize) -> Option<&[LocalAnswer]>;
 }
@@ -40,7 +43,7 @@ pub struct Recorded {
 impl Recorded {
     /// No answers yet.
     pub fn new(status: Status) -> Recorded {
-        let standing = Standing { status, current: true, board: None, grading: false };
+        let standing = Standing { status, current: true, board: None, former: None, grading: false };
         Recorded { standing, poses: BTreeMap::new(), locals: BTreeMap::new() }
     }
 
@@ -117,6 +120,10 @@ impl Answers for Recorded {
 
     fn posed(&self, frame: usize) -> Option<&PosedFrame> {
         self.poses.get(&frame)
+    }
+
+    fn version(&self, frame: usize) -> Option<u64> {
+        self.posed(frame).map(|_| 1)
     }
 
     fn locals(&self, frame: usize) -> Option<&[LocalAnswer]> {

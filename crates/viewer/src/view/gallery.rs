@@ -84,6 +84,11 @@ impl Gallery {
                 let next = self.alone.map_or(0, |motion| motion + 1);
                 self.alone = (next < self.apps.len()).then_some(next);
             }
+            // All play, or none: a short one may have come to its end.
+            Action::Play => {
+                let play = !self.apps.iter().any(|app| app.player().is_playing());
+                self.apps.iter_mut().for_each(|app| app.set_playing(play));
+            }
             action => self.apps.iter_mut().for_each(|app| app.act(action)),
         }
     }
@@ -107,8 +112,24 @@ impl Gallery {
         let Some(tile) = self.tiles(size).find(|tile| tile.inside(pressed).is_some()) else { return };
         if let Some(bar) = self.bar(tile) {
             let frame = bar.frame_at(now.0 - tile.corner.0 as f32);
-            self.apps[tile.motion].go_to(frame);
+            self.go_to(tile.motion, frame);
         }
+    }
+
+    /// Goes to `frame` of `motion`, and to the same time in all others.
+    pub fn go_to(&mut self, motion: usize, frame: usize) {
+        for other in 0..self.apps.len() {
+            let frame = self.frame_at_the_time_of(motion, frame, other);
+            self.apps[other].go_to(frame);
+        }
+    }
+
+    /// The frame of the motion `other` that is shown together with `frame` of `motion`: that of the same time.
+    pub fn frame_at_the_time_of(&self, motion: usize, frame: usize, other: usize) -> usize {
+        let stage = |motion: usize| self.apps[motion].stage();
+        let seconds = |motion: usize| stage(motion).motion().playable_frame_time();
+        let same = (frame as f64 * seconds(motion) / seconds(other)).round() as usize;
+        same.min(stage(other).frame_count() - 1)
     }
 
     /// Lets `seconds` pass.
@@ -170,6 +191,37 @@ mod tests {
         gallery.act(Action::NextMotion);
         gallery.act(Action::Step(4));
         assert!(gallery.apps().iter().all(|app| app.frame() == 4));
+    }
+
+    #[test]
+    fn whatever_one_does_they_stay_at_the_same_time() {
+        let motion = |frames, time| {
+            let chain = samples::chain(frames, 1.0);
+            skeleton::Motion::new(chain.skeleton().clone(), frames, time, chain.values().to_vec()).unwrap()
+        };
+        let app = |motion| {
+            let stage = Arc::new(Stage::new(motion, PositionChannels::Replace));
+            App::new(stage, "a".into(), Vec::new(), (640, 480))
+        };
+        let mut gallery =
+            Gallery::new(vec![app(motion(40, 0.01)), app(motion(11, 0.04)), app(motion(3, 0.1))]);
+        gallery.act(Action::Play);
+        gallery.go_to(0, 20);
+        let frames = |gallery: &Gallery| gallery.apps().iter().map(App::frame).collect::<Vec<_>>();
+        assert_eq!(frames(&gallery), [20, 5, 2]);
+        assert!(gallery.apps().iter().all(|app| !app.player().is_playing()));
+        gallery.go_to(1, 10);
+        assert_eq!(frames(&gallery), [39, 10, 2]);
+
+        gallery.act(Action::Loop);
+        gallery.go_to(0, 0);
+        gallery.act(Action::Play);
+        gallery.advance(0.35);
+        let playing =
+            |gallery: &Gallery| gallery.apps().iter().filter(|app| app.player().is_playing()).count();
+        assert_eq!(playing(&gallery), 2, "the short one has ended");
+        gallery.act(Action::Play);
+        assert_eq!(playing(&gallery), 0);
     }
 
     proptest! {

@@ -104,9 +104,14 @@ impl Player {
         (0..=length).rev().map(move |back| if forwards { to - back } else { to + back })
     }
 
-    /// Plays, or pauses. A single frame cannot be played.
+    /// Plays, or pauses.
     pub fn toggle(&mut self) {
-        self.playing = !self.playing && self.count > 1;
+        self.set_playing(!self.playing);
+    }
+
+    /// Plays, or does not. A single frame cannot be played.
+    pub fn set_playing(&mut self, playing: bool) {
+        self.playing = playing && self.count > 1;
         self.shown_for = 0.0;
         let (first, last) = self.range;
         // Who is at the end, or outside of what is to be played, wants to see it from its beginning.
@@ -154,7 +159,7 @@ impl Player {
         self.frame = frame.min(self.count - 1);
         self.playing = false;
         self.shown_for = 0.0;
-        self.traced_from = 0;
+        self.traced_from = if self.backwards { self.count - 1 } else { 0 };
     }
 
     /// Pauses and goes `frames` further, or back when it is negative. The first frame follows the last.
@@ -285,6 +290,8 @@ mod tests {
         assert_eq!(traced(&player), [1, 0]);
         player.advance(2.0);
         assert_eq!(traced(&player), [9, 8]);
+        player.go_to(6);
+        assert_eq!(traced(&player), [9, 8, 7, 6], "from where it would have come");
     }
 
     #[test]

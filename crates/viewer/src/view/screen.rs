@@ -47,11 +47,12 @@ impl Screen {
         size: (usize, usize),
     ) -> bool {
         let size = Canvas::clamped(size);
-        let resized = self.canvas.size() != size;
+        let tiles = gallery.tiles(size);
+        // With other tiles than before, some of the picture may belong to none.
+        let resized = self.canvas.size() != size || gallery.tiles(size).count() != self.parts.len();
         if resized {
             self.canvas = Canvas::new(size.0, size.1);
         }
-        let tiles = gallery.tiles(size);
         let mut count = 0;
         let mut changed = resized;
         for (index, tile) in tiles.enumerate() {
@@ -147,6 +148,21 @@ mod tests {
         both.act(Action::NextMotion);
         update(&mut screen, &mut both);
         assert!(screen.canvas().pixels() == side_by_side);
+    }
+
+    #[test]
+    fn what_belongs_to_no_tile_is_empty() {
+        let (mut screen, mut three) = (Screen::new(SIZE), gallery(3));
+        let size = (160, 120);
+        let show = |screen: &mut Screen, gallery: &mut Gallery| {
+            screen.update(gallery, |_| Shown::Reference, size);
+            screen.canvas().pixels().to_vec()
+        };
+        let first = show(&mut screen, &mut three);
+        three.act(Action::NextMotion);
+        show(&mut screen, &mut three);
+        (0..3).for_each(|_| three.act(Action::NextMotion));
+        assert!(show(&mut screen, &mut three) == first);
     }
 
     #[test]

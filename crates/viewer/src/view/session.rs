@@ -1,10 +1,12 @@
 //! Everything that a window shows: motions, the student's functions, and what changes on the disk.
 
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::thread;
 
 use crate::live::watch::{Baseline, Change, Watcher};
 use crate::live::{Live, OfMotion};
-use crate::motion::source::Source;
+use crate::motion::source::{Loaded, Source};
 use crate::view::app::{App, Shown};
 use crate::view::gallery::Gallery;
 use crate::view::screen::Screen;
@@ -15,8 +17,12 @@ pub struct Session {
     /// The motions.
     pub gallery: Gallery,
     sources: Vec<Source>,
+    /// Files that are being read again: long ones take a moment, for which no picture waits.
+    readings: Vec<Option<Receiver<Reading>>>,
     functions: Functions,
 }
+
+type Reading = Result<Loaded, parser::bvh::FileError>;
 
 /// Whose functions move the figures.
 enum Functions {
@@ -38,10 +44,11 @@ impl Session {
             }
             None => Functions::Reference(Watcher::start(Baseline::of_motions(&files), |_| {})),
         };
-        Session { gallery, sources, functions }
+        let readings = sources.iter().map(|_| None).collect();
+        Session { gallery, sources, readings, functions }
     }
 
-    /// Takes in what has changed. Never waits for the student's functions.
+    /// Takes in what has changed. Never waits.
     pub fn update(&mut self) {
         let saved = match &mut self.functions {
             Functions::Student(live) => {
@@ -60,19 +67,30 @@ impl Session {
                 (0..self.sources.len()).filter(is_saved).collect()
             }
         };
-        saved.into_iter().for_each(|motion| self.read_again(motion));
+        for motion in saved {
+            self.readings[motion] = Some(read_in_background(self.sources[motion].clone()));
+        }
+        (0..self.readings.len()).for_each(|motion| self.take_reading(motion));
     }
 
-    fn read_again(&mut self, motion: usize) {
+    /// Shows what a file holds now, when it has been read.
+    fn take_reading(&mut self, motion: usize) {
+        let read = match self.readings[motion].as_ref().map(Receiver::try_recv) {
+            None | Some(Err(TryRecvError::Empty)) => return,
+            Some(read) => read,
+        };
+        self.readings[motion] = None;
         let app = &mut self.gallery.apps_mut()[motion];
-        match self.sources[motion].read() {
-            Ok(loaded) => {
+        match read {
+            // There was no thread to read it: the next save is another chance.
+            Err(_) => {}
+            Ok(Ok(loaded)) => {
                 if let Functions::Student(live) = &mut self.functions {
                     live.replace_stage(motion, loaded.stage.clone());
                 }
                 app.replace(loaded.stage, loaded.warnings);
             }
-            Err(error) => {
+            Ok(Err(error)) => {
                 eprintln!("{error}");
                 app.cannot_read(&error.to_string());
             }
@@ -92,9 +110,9 @@ impl Session {
                 self.gallery.apps_mut().iter_mut().for_each(|app| app.orbit(right, down));
             }
             Gesture::Pan(right, down) => {
-                for tile in self.gallery.tiles(size) {
-                    self.gallery.apps_mut()[tile.motion].pan(right, down, tile.size);
-                }
+                // Those that are not shown are to stay in step.
+                let tile = self.gallery.tiles(size).next().map_or(size, |tile| tile.size);
+                self.gallery.apps_mut().iter_mut().for_each(|app| app.pan(right, down, tile));
             }
             Gesture::Scrub { pressed, now } => self.gallery.scrub(pressed, now, size),
             Gesture::Click(x, y) => {
@@ -108,6 +126,15 @@ impl Session {
             }
         }
     }
+}
+
+fn read_in_background(source: Source) -> Receiver<Reading> {
+    let (sender, reading) = mpsc::channel();
+    // When a newer save is being read already, nobody wants this one.
+    let read = move || drop(sender.send(source.read()));
+    // Without a thread the sender goes at once, which is noticed.
+    let _ = thread::Builder::new().name("motion".into()).spawn(read);
+    reading
 }
 
 impl Functions {

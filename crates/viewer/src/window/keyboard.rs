@@ -31,9 +31,21 @@ pub enum Event {
 #[derive(Debug, Default)]
 pub struct Keyboard {
     held: Vec<Key>,
-    /// Whether the last key event had a meaning, so that the character behind it has none.
-    understood: bool,
+    /// What the last key event has to say about the character behind it.
+    last: Last,
     repeating: Option<Repeating>,
+}
+
+/// What is known of the last key event.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Last {
+    /// Nothing: the character that follows comes from a key that is not known.
+    #[default]
+    Unknown,
+    /// The key has no meaning of its own: the character on it may have one.
+    Open,
+    /// The key had a meaning, or the system repeats it.
+    Done,
 }
 
 /// A key that is held.
@@ -54,8 +66,8 @@ impl Keyboard {
                 if !again {
                     self.held.push(key);
                 }
-                let binding = keys::of_key(key, self.shift());
-                self.understood = binding.is_some();
+                let binding = keys::of_key(key, self.shift()).filter(|_| !self.commands());
+                self.last = if again || binding.is_some() { Last::Done } else { Last::Open };
                 if again {
                     return None;
                 }
@@ -72,7 +84,7 @@ impl Keyboard {
                 None
             }
             Event::Typed(character) => {
-                if std::mem::take(&mut self.understood) {
+                if std::mem::take(&mut self.last) == Last::Done || self.commands() {
                     return None;
                 }
                 keys::of_key(keys::of_character(character)?, false).map(|binding| binding.action)
@@ -96,6 +108,14 @@ impl Keyboard {
     /// Whether Shift is held.
     pub fn shift(&self) -> bool {
         self.held.contains(&Key::LeftShift) || self.held.contains(&Key::RightShift)
+    }
+
+    /// Whether keys that are pressed now are meant for the system, or for another program: Ctrl S is no S. The Alt key on
+    /// the right makes characters.
+    fn commands(&self) -> bool {
+        [Key::LeftCtrl, Key::LeftAlt, Key::LeftSuper, Key::RightSuper]
+            .iter()
+            .any(|key| self.held.contains(key))
     }
 
     /// Forgets which keys are held: the window is no longer told when they are let go.
@@ -167,6 +187,20 @@ mod tests {
         // One with + on a key that is not known.
         assert_eq!(keyboard.event(Event::Typed('+')), Some(Action::Faster));
         assert_eq!(keyboard.event(Event::Typed('x')), None);
+        // The system repeats the key, and so its character.
+        down(&mut keyboard, Key::Key8);
+        assert_eq!(keyboard.event(Event::Typed('[')), None);
+    }
+
+    #[test]
+    fn what_is_meant_for_other_programs_is_left_to_them() {
+        let mut keyboard = Keyboard::default();
+        down(&mut keyboard, Key::LeftCtrl);
+        assert_eq!(down(&mut keyboard, Key::S), None);
+        assert_eq!(keyboard.event(Event::Typed('-')), None);
+        keyboard.event(Event::Up(Key::LeftCtrl));
+        keyboard.event(Event::Up(Key::S));
+        assert_eq!(down(&mut keyboard, Key::S), Some(Action::Points));
     }
 
     #[test]

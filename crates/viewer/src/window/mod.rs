@@ -26,11 +26,11 @@ const PICTURES_PER_SECOND: usize = 60;
 ///
 /// # Errors
 ///
-/// When no window can be opened.
+/// When no window can be opened, or when it is lost.
 pub fn open(begin: impl FnOnce() -> Session, size: (usize, usize)) -> Result<(), NoWindow> {
-    let no_window = |error: minifb::Error| NoWindow { why: error.to_string() };
+    let no_window = |lost: bool| move |error: minifb::Error| NoWindow { why: error.to_string(), lost };
     let options = WindowOptions { resize: true, ..WindowOptions::default() };
-    let mut window = Window::new("cargo view", size.0, size.1, options).map_err(no_window)?;
+    let mut window = Window::new("cargo view", size.0, size.1, options).map_err(no_window(false))?;
     // Nothing is built where there is no window to show it in.
     let mut session = begin();
     let mut title = String::new();
@@ -58,7 +58,7 @@ pub fn open(begin: impl FnOnce() -> Session, size: (usize, usize)) -> Result<(),
         }
         // Always with the picture, changed or not: some systems paint from it while they look for events.
         let presented = window.update_with_buffer(screen.canvas().pixels(), size.0, size.1);
-        presented.map_err(no_window)?;
+        presented.map_err(no_window(true))?;
     }
     // The window goes first: the student's functions may need a moment to be stopped.
     drop(window);

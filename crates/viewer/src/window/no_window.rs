@@ -2,14 +2,19 @@
 
 use std::fmt;
 
-/// No window can be opened here. `Display` says what to do instead.
+/// No window can be opened here, or it was lost. `Display` says what to do instead.
 #[derive(Debug)]
 pub struct NoWindow {
     pub(super) why: String,
+    /// There was one.
+    pub(super) lost: bool,
 }
 
 impl fmt::Display for NoWindow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.lost {
+            return write!(f, "The window was lost: {}.", self.why);
+        }
         writeln!(f, "No window can be opened here: {}.", self.why)?;
         writeln!(f, "A picture works without one: add --png picture.png --frame 0 to the command.")?;
         write!(f, "{}", advice())

@@ -65,6 +65,8 @@ pub struct Standing {
     pub current: bool,
     /// The points of the last save, when they are known.
     pub board: Option<Arc<Board>>,
+    /// Those of an earlier save, for as long as those of the last one are not known.
+    pub former: Option<Arc<Board>>,
     /// Whether the questions for points are being asked.
     pub grading: bool,
 }
@@ -84,6 +86,8 @@ pub struct Student {
     held: Vec<Held>,
     /// Nothing stands for a frame whose local rotations could not be had.
     locals: BTreeMap<(usize, usize), Option<Vec<LocalAnswer>>>,
+    /// The motion and the frame whose local rotations were asked for last.
+    asked: Option<(usize, usize)>,
     /// The version that all this is about.
     number: u64,
     ready: bool,
@@ -91,7 +95,7 @@ pub struct Student {
     given_up: Option<Arc<Trouble>>,
     grading: bool,
     board: Option<Arc<Board>>,
-    former_board: Option<Arc<Board>>,
+    former: Option<Arc<Board>>,
     events: Receiver<(u64, Event)>,
     rebuilder: Rebuilder,
 }
@@ -123,13 +127,14 @@ impl Student {
             desk,
             held,
             locals: BTreeMap::new(),
+            asked: None,
             number: 0,
             ready: false,
             failed: None,
             given_up: None,
             grading: false,
             board: None,
-            former_board: None,
+            former: None,
             events,
             rebuilder,
         };
@@ -157,7 +162,8 @@ impl Student {
         self.held.iter_mut().for_each(Held::begin);
         self.locals.clear();
         (self.ready, self.failed, self.given_up, self.grading) = (false, None, None, false);
-        self.former_board = self.board.take().or(self.former_board.take());
+        self.former = self.board.take().or(self.former.take());
+        self.asked = None;
         if let Some(error) = self.rebuilder.take_trouble() {
             let headline = "your functions cannot be asked".into();
             self.failed = Some(Arc::new(Trouble { headline, details: vec![error.to_string()] }));
@@ -176,6 +182,7 @@ impl Student {
         self.held[motion] = Held::new(old.window);
         drop(plan);
         self.locals.retain(|(of, _), _| *of != motion);
+        self.asked = None;
         self.desk.wake();
     }
 
@@ -252,7 +259,8 @@ impl Student {
             (None, None) if self.ready => Status::Asking,
             (None, None) => Status::Compiling,
         };
-        Standing { status, current, board: self.board.clone(), grading: self.grading }
+        let former = self.former.as_ref().filter(|_| self.board.is_none()).cloned();
+        Standing { status, current, board: self.board.clone(), former, grading: self.grading }
     }
 
     /// The newest pose at hand: what the functions made of the frame as they were saved last, or else before that.
@@ -260,12 +268,19 @@ impl Student {
         self.held.get(motion)?.pose(frame).map(|(_, posed)| posed)
     }
 
+    /// The version, counted from 1, whose functions made that pose.
+    pub fn version(&self, motion: usize, frame: usize) -> Option<u64> {
+        self.held.get(motion)?.pose(frame).map(|(version, _)| version)
+    }
+
     /// What part 1 gives for every joint of the frame. Nothing until it has been asked, which begins now, or when it
     /// gives no answer.
     pub fn locals(&mut self, motion: usize, frame: usize) -> Option<&[LocalAnswer]> {
         let held = self.held.get(motion)?;
-        if held.trouble(frame).is_none() && !self.locals.contains_key(&(motion, frame)) {
-            self.desk.plan().locals = Some((motion, frame));
+        let place = (motion, frame);
+        let unknown = held.trouble(frame).is_none() && !self.locals.contains_key(&place);
+        if unknown && self.asked.replace(place) != Some(place) {
+            self.desk.plan().locals = Some(place);
             self.desk.wake();
         }
         self.locals.get(&(motion, frame))?.as_deref()
@@ -274,11 +289,6 @@ impl Student {
     /// The same, as far as it is known, without asking.
     pub fn known_locals(&self, motion: usize, frame: usize) -> Option<&[LocalAnswer]> {
         self.locals.get(&(motion, frame))?.as_deref()
-    }
-
-    /// The points of an earlier save, for as long as those of the last one are not known.
-    pub fn former_board(&self) -> Option<&Arc<Board>> {
-        self.former_board.as_ref().filter(|_| self.board.is_none())
     }
 }
 

@@ -92,7 +92,7 @@ impl Plan {
     /// time for what they print.
     pub(super) fn next(&self, talkative: bool) -> Option<Task> {
         self.urgent(talkative).or_else(|| {
-            if let Some((index, frame)) = self.locals {
+            if let Some((index, frame)) = self.locals.filter(|_| !self.has_given_up()) {
                 return self.at(index).map(|at| Task::Locals { at, frame });
             }
             if !self.graded {
@@ -205,6 +205,13 @@ impl Plan {
         self.costly += usize::from(costly);
         self.costly_frames += usize::from(costly && single);
         self.panics += usize::from(!costly && single);
+    }
+
+    /// Part 1 by itself has failed for a frame.
+    pub(super) fn count(&mut self, failure: &Failure) {
+        let costly = usize::from(!matches!(failure, Failure::Panicked { .. }));
+        self.costly += costly;
+        self.costly_frames += costly;
     }
 
     /// It was looked for the joint at which the frame fails.

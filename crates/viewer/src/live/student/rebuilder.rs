@@ -33,11 +33,11 @@ impl Rebuilder {
     }
 
     /// The file was saved: the version before is abandoned, whatever it is doing, and the new one built and asked. Does
-    /// not wait for either.
-    pub fn rebuild(&self) {
+    /// not wait for either. Gives whether a build begins: not when the viewer has gone.
+    pub fn rebuild(&self) -> bool {
         let mut last = lock(&self.last);
         if last.ended {
-            return;
+            return false;
         }
         let before = std::mem::take(&mut last.version);
         before.abandon();
@@ -49,6 +49,7 @@ impl Rebuilder {
         self.desk.wake();
         let version = last.version.clone();
         last.trouble = (last.start)(number, version, before).err();
+        true
     }
 
     /// Why the last version has no thread, if so.

@@ -114,7 +114,12 @@ impl Work {
             Task::Joint { at, frame, failure } => self.joint(at, frame, failure, subject),
             Task::Locals { at, frame } => {
                 let joints = at.stage.motion().skeleton().joints();
-                let locals = ask::locals(subject, joints, at.stage.frame(frame).angles, FRAME_LIMIT);
+                let angles = at.stage.frame(frame).angles;
+                let locals = ask::locals(subject, joints, angles, FRAME_LIMIT);
+                if let Err(failure) = &locals {
+                    self.check(failure)?;
+                    self.desk.plan().count(failure);
+                }
                 self.send(Event::Locals(at, frame, locals.ok()));
             }
             Task::Grade => {

@@ -8,11 +8,11 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime};
 
-/// Editors write more than once for one save. Whole content counts when it has stayed the same for this long,
-const SETTLED: Duration = Duration::from_millis(3);
-
-/// and at the latest this long after the first change.
-const LATEST: Duration = Duration::from_millis(12);
+/// Editors write more than once for one save. Whole content counts when it has stayed the same for some time, and at the
+/// latest some time after the first change. A student waits for every millisecond; a motion may be long, and takes longer
+/// to write and to read.
+const SETTLED: [Duration; 2] = [Duration::from_millis(3), Duration::from_millis(12)];
+const SETTLED_MOTION: [Duration; 2] = [Duration::from_millis(60), Duration::from_millis(2000)];
 
 /// A file that is gone or empty counts as that when it has stayed so for this long.
 const LASTING: Duration = Duration::from_millis(300);
@@ -99,8 +99,12 @@ impl Watched {
             Some(news) => (now, news.first),
             None => (now, now),
         };
+        let [settled, latest] = match self.files {
+            Files::SourcesIn(_) => SETTLED,
+            Files::One(_) => SETTLED_MOTION,
+        };
         let due =
-            if self.has_hole(&contents) { since + LASTING } else { (since + SETTLED).min(first + LATEST) };
+            if self.has_hole(&contents) { since + LASTING } else { (since + settled).min(first + latest) };
         if now >= due {
             self.told = contents;
             self.news = None;
@@ -112,7 +116,8 @@ impl Watched {
 
     /// Whether a file is empty, or one is missing that was there.
     fn has_hole(&self, contents: &Contents) -> bool {
-        contents.values().any(|(length, _)| *length == 0)
+        let was_empty = |name| self.told.get(name).is_some_and(|(length, _)| *length == 0);
+        contents.iter().any(|(name, (length, _))| *length == 0 && !was_empty(name))
             || self.told.keys().any(|name| !contents.contains_key(name))
             || contents.is_empty()
     }
@@ -184,7 +189,10 @@ mod tests {
     }
 
     fn watched() -> (Watched, Instant) {
-        let files = Files::One("fk.rs".into());
+        watched_as(Files::SourcesIn("src".into()))
+    }
+
+    fn watched_as(files: Files) -> (Watched, Instant) {
         let told = contents(100, 1);
         (Watched { files, told, stamps: Stamps::new(), news: None, heard: false }, Instant::now())
     }
@@ -193,9 +201,9 @@ mod tests {
     fn new_content_counts_once_and_as_soon_as_it_has_settled() {
         let (mut watched, start) = watched();
         assert!(!watched.consider(contents(100, 2), start));
-        assert_eq!(watched.due(), Some(start + SETTLED));
-        assert!(watched.consider(contents(100, 2), start + SETTLED));
-        assert!(!watched.consider(contents(100, 2), start + 2 * SETTLED));
+        assert_eq!(watched.due(), Some(start + SETTLED[0]));
+        assert!(watched.consider(contents(100, 2), start + SETTLED[0]));
+        assert!(!watched.consider(contents(100, 2), start + 2 * SETTLED[0]));
         assert_eq!(watched.due(), None);
     }
 
@@ -207,6 +215,32 @@ mod tests {
             (0..100).filter(|i| watched.consider(contents(100, 2 + u64::from(*i)), start + *i * step));
         assert!((2..20).contains(&counted.count()));
         assert!(watched.consider(contents(100, 101), start + 200 * step), "the last one");
+    }
+
+    #[test]
+    fn a_long_motion_may_take_its_time_to_be_written() {
+        let (mut watched, start) = watched_as(Files::One("fk.rs".into()));
+        let step = Duration::from_millis(20);
+        for piece in 0..40 {
+            assert!(
+                !watched.consider(contents(100 + u64::from(piece), 2), start + piece * step),
+                "not all of it"
+            );
+        }
+        assert!(watched.consider(contents(139, 2), start + 44 * step));
+    }
+
+    #[test]
+    fn a_neighbour_that_has_always_been_empty_keeps_nobody_waiting() {
+        let (mut watched, start) = watched();
+        let with_neighbour = |hash| {
+            let mut contents = contents(100, hash);
+            contents.insert("notes.rs".into(), (0, 0));
+            contents
+        };
+        watched.told = with_neighbour(1);
+        assert!(!watched.consider(with_neighbour(2), start));
+        assert!(watched.consider(with_neighbour(2), start + SETTLED[0]));
     }
 
     #[test]

@@ -9,6 +9,8 @@ use crate::motion::stage::MARGIN;
 /// What the camera does when the next scene is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Aim {
+    /// There was nothing to look at before: it looks at the motion from the beginning.
+    Begin,
     /// Nobody has moved it yet: it takes in the student's joints as soon as there are any.
     Meet,
     /// It takes in everything.
@@ -90,6 +92,11 @@ impl App {
     ) {
         match (self.aim, students) {
             (Aim::Stay, _) | (Aim::Meet, None) => {}
+            (Aim::Begin, students) => {
+                self.camera = self.stage.camera(anchor, students.unwrap_or_default(), size);
+                self.offset = self.camera.target - anchor;
+                self.aim = if students.is_some() { Aim::Stay } else { Aim::Meet };
+            }
             (Aim::Meet, Some(students)) => {
                 let angles = (self.camera.azimuth, self.camera.elevation);
                 self.camera = self.stage.camera_from(angles, anchor, students, size);

@@ -56,10 +56,11 @@ impl App {
             Shown::Reference => None,
             Shown::Student(answers) => Some(answers.standing(frame)),
         };
-        if let Some(board) = standing.as_ref().and_then(|standing| standing.board.as_deref()) {
-            // Before the last part is begun no joint can be where it belongs: nothing is wrong yet.
-            self.judged = board.rows.last().is_none_or(|row| row.state != PartState::NotStarted);
-        }
+        // Before the last part is begun no joint can be where it belongs: nothing is wrong yet.
+        let board =
+            standing.as_ref().and_then(|standing| standing.board.as_ref().or(standing.former.as_ref()));
+        let judged =
+            board.is_some_and(|board| board.rows.last().is_none_or(|row| row.state != PartState::NotStarted));
         let solid = match shown {
             Shown::Reference => Some(&memory.reference),
             Shown::Student(_) => posed.map(|posed| &posed.pose),
@@ -74,7 +75,7 @@ impl App {
                 look: if current { Look::Solid } else { Look::Dimmed },
                 axes: settings.axes,
                 expected: standing.as_ref().map(|_| &memory.reference),
-                judged: self.judged,
+                judged,
                 selected: self.selected,
             };
             stage.fill(scene.figures.add(), pose, &wanted);
@@ -165,6 +166,8 @@ impl App {
                     stage.read_reference(index, frame, past);
                     Some(&*past)
                 }
+                // Where an older version had put them is not where these functions put them.
+                Shown::Student(answers) if answers.version(index) != answers.version(self.frame()) => None,
                 Shown::Student(answers) => answers.posed(index).map(|posed| &posed.pose),
             };
             let Some(pose) = pose else { continue };

@@ -9,7 +9,7 @@ mod tests;
 use std::sync::Arc;
 
 use glam::Vec3;
-use skeleton::{Frame, Pose};
+use skeleton::{Frame, Joint, Pose};
 
 use crate::camera::Camera;
 use crate::motion::stage::Stage;
@@ -84,8 +84,6 @@ pub struct App {
     offset: Vec3,
     aim: Aim,
     selected: Option<usize>,
-    /// Whether the student's joints tell how far they are off.
-    judged: bool,
     memory: Memory,
 }
 
@@ -114,25 +112,27 @@ impl App {
             unreadable: Vec::new(),
             aim: Aim::Meet,
             selected: None,
-            judged: false,
             memory: Memory::default(),
         }
     }
 
     /// Shows another state of the same motion, whose file has changed. What can stay as it is does.
     pub fn replace(&mut self, stage: Arc<Stage>, warnings: Vec<String>) {
-        self.player = self.player.for_motion(stage.frame_count(), stage.motion().playable_frame_time());
-        if self.selected.is_some_and(|joint| joint >= stage.motion().skeleton().len()) {
-            self.selected = None;
+        let before = std::mem::replace(&mut self.stage, stage);
+        let motion = self.stage.motion();
+        self.player = self.player.for_motion(self.stage.frame_count(), motion.playable_frame_time());
+        let (old, new) = (before.motion().skeleton().joints(), motion.skeleton().joints());
+        self.selected = self.selected.and_then(|joint| same_joint(old, joint, new));
+
+        let anchor = self.stage.anchor(self.frame());
+        let moved = anchor.distance(before.anchor(self.frame()));
+        let resized = (self.stage.size() / before.size() - 1.0).abs() > 0.2;
+        // In another unit, turned, or at another place, the camera would look at nothing.
+        let lost = resized || before.up() != self.stage.up();
+        if old.is_empty() || lost || (!self.settings.follow && moved > self.stage.size()) {
+            self.aim = Aim::Begin;
         }
-        // In another unit, or at another place, the camera would look at nothing.
-        if (stage.size() / self.stage.size() - 1.0).abs() > 0.2 {
-            self.aim = Aim::Meet;
-            let anchor = stage.anchor(self.frame());
-            self.camera.distance *= stage.size() / self.stage.size();
-            self.offset = stage.camera(anchor, &[], (16, 9)).target - anchor;
-        }
-        (self.stage, self.warnings) = (stage, warnings);
+        self.warnings = warnings;
         self.unreadable.clear();
     }
 
@@ -192,6 +192,11 @@ impl App {
         format!("{} · frame {} / {}{playing}", self.title, self.frame(), self.stage.motion().frame_count())
     }
 
+    /// Plays, or does not.
+    pub fn set_playing(&mut self, playing: bool) {
+        self.player.set_playing(playing);
+    }
+
     /// Lets `seconds` pass.
     pub fn advance(&mut self, seconds: f64) {
         self.player.advance(seconds);
@@ -244,5 +249,15 @@ impl App {
             None => count - 1,
             Some(joint) => (joint as isize + by).rem_euclid(count as isize) as usize,
         });
+    }
+}
+
+/// Where the joint `joint` of `old` is among `new` joints: by its name, and where names occur twice by its place.
+fn same_joint(old: &[Joint], joint: usize, new: &[Joint]) -> Option<usize> {
+    let wanted = old.get(joint)?;
+    let is_same = |other: &Joint| other.name == wanted.name && other.is_end_site == wanted.is_end_site;
+    match new.get(joint).is_some_and(is_same) {
+        true => Some(joint),
+        false => new.iter().position(is_same),
     }
 }

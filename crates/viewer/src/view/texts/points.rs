@@ -7,22 +7,26 @@ use crate::scene::{Line, Panel};
 
 pub fn write(facts: &Facts, panel: &mut Panel) {
     let Some(standing) = facts.standing else { return };
-    let Some(board) = &standing.board else {
-        if standing.grading {
-            panel.add(Line::Quiet, "counting your points…");
-        }
-        return;
+    let (board, outdated) = match (&standing.board, &standing.former) {
+        (Some(board), _) => (board, false),
+        (None, Some(former)) => (former, true),
+        (None, None) if standing.grading => return panel.add(Line::Quiet, "counting your points…"),
+        (None, None) => return,
     };
-    panel.add(Line::Heading, &board.title);
+    match outdated {
+        true => panel.add(Line::Quiet, format_args!("{} (before this save)", board.title)),
+        false => panel.add(Line::Heading, &board.title),
+    }
     for row in &board.rows {
         let line = match row.state {
+            _ if outdated => Line::Quiet,
             PartState::Right => Line::Right,
             PartState::NotStarted => Line::Quiet,
             _ => Line::Trouble,
         };
         let (id, title, state) = (row.id, row.title, row.state.name());
         panel.add(line, format_args!("{id}  {title}  {} of {}  {state}", row.points, row.of));
-        for named in &row.named {
+        for named in row.named.iter().filter(|_| !outdated) {
             panel.add(Line::Text, named.title);
             panel.add(Line::Quiet, format_args!("Hint: {}", named.hint));
         }

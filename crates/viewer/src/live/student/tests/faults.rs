@@ -122,9 +122,9 @@ fn after_the_viewer_has_gone_nothing_is_built() {
     let mut student = Student::start(vec![stage(5)], open, quiet);
     update_until(&mut student, &[0], is_current(0, 0));
     let rebuilder = student.rebuilder();
-    rebuilder.rebuild();
+    assert!(rebuilder.rebuild());
     update_until(&mut student, &[0], |_| builds.load(Ordering::SeqCst) == 2);
     drop(student);
-    rebuilder.rebuild();
+    assert!(!rebuilder.rebuild());
     assert_eq!(builds.load(Ordering::SeqCst), 2);
 }

@@ -248,7 +248,7 @@ fn a_version_that_does_not_compile_is_told_and_the_last_good_pose_stays() {
     assert_eq!(*trouble(&student, 0, 3).unwrap(), told);
     let standing = student.standing(0, 3);
     assert_eq!((standing.current, standing.board), (false, None));
-    assert!(student.pose(0, 3).is_some() && student.former_board().is_some());
+    assert!(student.pose(0, 3).is_some() && student.standing(0, 3).former.is_some());
     assert_eq!(news.recv().unwrap(), News::Trouble(told.into()));
 }
 

@@ -1,3 +1,9 @@
+//! What is shown in which state.
+
+mod camera;
+mod changes;
+mod texts;
+
 use skeleton::{FkFunctions, PositionChannels};
 
 use super::*;
@@ -104,67 +110,6 @@ fn joints_that_are_not_drawn_are_told_for_the_reference_too() {
     assert!(!ordinary.contains("joints") && !ordinary.contains("precision"), "{ordinary}");
 }
 
-mod camera {
-    use super::*;
-
-    #[test]
-    fn a_moved_camera_stays_where_it_was_put() {
-        let mut app = app(5);
-        app.orbit(100.0, 20.0);
-        let camera = app.scene(Shown::Reference, SIZE).camera;
-        let stub = answers(&app, STUB);
-        assert_eq!(app.scene(Shown::Student(&stub), SIZE).camera, camera);
-        app.wheel(3.0);
-        assert!(app.scene(Shown::Student(&stub), SIZE).camera.distance < camera.distance);
-    }
-
-    #[test]
-    fn it_moves_along_with_the_figure_or_stays() {
-        let mut app = app(50);
-        let first = app.scene(Shown::Reference, SIZE).camera;
-        app.go_to(40);
-        let along = app.scene(Shown::Reference, SIZE).camera;
-        assert!((along.target.x - first.target.x - 4.0).abs() < 1e-4, "{along:?}");
-        app.act(Action::Follow);
-        app.go_to(0);
-        assert_eq!(app.scene(Shown::Reference, SIZE).camera, along);
-        app.pan(100.0, 0.0, SIZE);
-        let moved = app.scene(Shown::Reference, SIZE).camera;
-        assert_ne!(moved, along);
-        app.act(Action::Follow);
-        assert_eq!(app.scene(Shown::Reference, SIZE).camera, moved, "no leap when it follows again");
-    }
-
-    #[test]
-    fn a_chosen_side_is_kept() {
-        let mut app = app(5);
-        app.look_from(90.0, 30.0, 2.0, SIZE);
-        let stub = answers(&app, STUB);
-        let camera = app.scene(Shown::Student(&stub), SIZE).camera;
-        assert!((camera.azimuth.to_degrees() - 90.0).abs() < 1e-3, "{camera:?}");
-        assert!((camera.elevation.to_degrees() - 30.0).abs() < 1e-3, "{camera:?}");
-        let mut far = self::app(5);
-        far.look_from(90.0, 30.0, 1.0, SIZE);
-        let far = far.scene(Shown::Reference, SIZE).camera;
-        assert!((far.distance / camera.distance - 2.0).abs() < 1e-3);
-    }
-
-    #[test]
-    fn a_click_selects_the_joint_that_is_there() {
-        let mut app = app(5);
-        app.go_to(3);
-        let scene = app.scene(Shown::Reference, SIZE);
-        let view = scene.camera.view(SIZE);
-        for (joint, dot) in scene.figures[0].joints.iter().enumerate() {
-            let spot = view.project(dot.place).unwrap();
-            app.click(Shown::Reference, (spot.x + 1.0, spot.y), SIZE);
-            assert_eq!(app.selected(), Some(joint));
-        }
-        app.click(Shown::Reference, (1.0, 1.0), SIZE);
-        assert_eq!(app.selected(), Some(4), "nothing is there");
-    }
-}
-
 mod traces {
     use super::*;
 
@@ -248,122 +193,6 @@ mod selected_joint {
     }
 }
 
-mod texts {
-    use super::*;
-
-    #[test]
-    fn they_say_where_we_are_and_what_is_wrong() {
-        let mut app = app(5);
-        app.act(Action::Step(1));
-        assert_eq!(app.window_title(), "walk.bvh · frame 1 / 5");
-        app.act(Action::Play);
-        assert_eq!(app.window_title(), "walk.bvh · frame 1 / 5 · playing");
-        app.act(Action::Play);
-        assert!(words(&app.scene(Shown::Reference, SIZE)).contains("frame 1 / 5"));
-        let failed = Status::Failed(Arc::new(Trouble {
-            headline: "your code does not compile".into(),
-            details: vec!["error[E0308]: mismatched types".into()],
-        }));
-        for (status, expected) in
-            [(Status::Compiling, "compiling"), (Status::Asking, "asking your functions"), (failed, "E0308")]
-        {
-            let scene = app.scene(Shown::Student(&Recorded::new(status)), SIZE);
-            assert!(words(&scene).contains(expected), "{}", words(&scene));
-            assert_eq!(scene.figures.len(), 1, "the ghost is still there");
-        }
-        assert!(words(&self::app(0).scene(Shown::Reference, SIZE)).contains("rest pose"));
-        assert!(words(&self::app(1).scene(Shown::Reference, SIZE)).contains("only one frame"));
-    }
-
-    #[test]
-    fn help_names_every_key() {
-        let mut app = app(5);
-        app.act(Action::Help);
-        let help = words(&app.scene(Shown::Reference, SIZE));
-        for (name, text) in crate::window::keys::help() {
-            assert!(help.contains(name) && help.contains(text), "{text}");
-        }
-    }
-
-    #[test]
-    fn how_it_plays_is_told_where_it_is_not_as_usual() {
-        let mut app = app(9);
-        assert!(!words(&app.scene(Shown::Reference, SIZE)).contains("speed"));
-        for action in [Action::Slower, Action::Reverse, Action::Loop, Action::Step(2), Action::RangeStart] {
-            app.act(action);
-        }
-        let told = words(&app.scene(Shown::Reference, SIZE));
-        assert!(told.contains("speed 0.75×, backwards, once, frames 2 to 8"), "{told}");
-    }
-
-    #[test]
-    fn points_stand_in_the_window_with_what_was_misunderstood() {
-        let mut app = app(5);
-        let mut recorded = answers(&app, solutions::FK);
-        let named = grading::Named {
-            id: "x",
-            title: "Your angles are degrees.",
-            explanation: "",
-            hint: "Look at pi.",
-            seen_in: &[],
-        };
-        recorded.standing.board = Some(Arc::new(Board {
-            title: "Forward kinematics: 0 of 15 points.".into(),
-            rows: vec![BoardRow {
-                id: "part1",
-                title: "local quaternion",
-                points: 0,
-                of: 5,
-                state: grading::PartState::Wrong,
-                named: vec![named],
-            }],
-            points: 0,
-            of: 15,
-            text: String::new(),
-            summary: String::new(),
-        }));
-        let told = words(&app.scene(Shown::Student(&recorded), SIZE));
-        for part in [
-            "Forward kinematics: 0 of 15 points",
-            "part1  local quaternion  0 of 5  wrong",
-            "degrees.",
-            "pi.",
-        ] {
-            assert!(told.contains(part), "{part} is missing in {told}");
-        }
-        app.act(Action::Points);
-        assert!(!words(&app.scene(Shown::Student(&recorded), SIZE)).contains("0 of 15"));
-    }
-
-    #[test]
-    fn a_file_that_can_no_longer_be_read_is_told_and_its_last_state_stays() {
-        let mut app = app(5);
-        app.cannot_read("walk.bvh:3:4: no number\nhint");
-        let scene = app.scene(Shown::Reference, SIZE);
-        assert!(
-            words(&scene).contains("walk.bvh:3:4: no number\nhint") && words(&scene).contains("last state")
-        );
-        assert_eq!(scene.figures.len(), 1);
-        app.replace(
-            Arc::new(Stage::new(samples::chain(3, 1.0), PositionChannels::Replace)),
-            vec!["odd".into()],
-        );
-        let told = words(&app.scene(Shown::Reference, SIZE));
-        assert!(
-            !told.contains("no number") && told.contains("frame 0 / 3") && told.contains("odd"),
-            "{told}"
-        );
-    }
-
-    #[test]
-    fn without_words_there_is_nothing_but_the_scene() {
-        let mut app = app(5);
-        app.settings.words = false;
-        let scene = app.scene(Shown::Reference, SIZE);
-        assert!(scene.panels.is_empty() && scene.timeline.is_none() && scene.scale_bar.is_none());
-    }
-}
-
 /// What the board says about part 3, and nothing else that matters here.
 fn board(state: grading::PartState) -> Option<Arc<Board>> {
     let row = BoardRow { id: "part3", title: "global position", points: 0, of: 5, state, named: Vec::new() };
@@ -384,16 +213,6 @@ fn joints_are_judged_as_soon_as_part_3_is_begun_and_stay_so_while_points_are_cou
     assert_eq!(off(&mut app, &stub), Off::Right, "nothing is wrong yet");
     stub.standing.board = board(grading::PartState::Wrong);
     assert_eq!(off(&mut app, &stub), Off::Much);
-    stub.standing.board = None;
+    stub.standing.former = stub.standing.board.take();
     assert_eq!(off(&mut app, &stub), Off::Much);
-}
-
-#[test]
-fn a_file_in_another_unit_is_looked_at_from_as_near() {
-    let mut app = app(5);
-    let before = app.scene(Shown::Reference, SIZE).camera;
-    app.replace(Arc::new(Stage::new(samples::chain(5, 100.0), PositionChannels::Replace)), Vec::new());
-    let after = app.scene(Shown::Reference, SIZE).camera;
-    assert!((after.distance / before.distance / 100.0 - 1.0).abs() < 1e-3, "{before:?} {after:?}");
-    assert!((after.target / 100.0).abs_diff_eq(before.target, 1e-3), "{before:?} {after:?}");
 }

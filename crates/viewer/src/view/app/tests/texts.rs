@@ -1,0 +1,104 @@
+//! What the words in the picture say.
+
+use super::*;
+
+#[test]
+fn they_say_where_we_are_and_what_is_wrong() {
+    let mut app = app(5);
+    app.act(Action::Step(1));
+    assert_eq!(app.window_title(), "walk.bvh · frame 1 / 5");
+    app.act(Action::Play);
+    assert_eq!(app.window_title(), "walk.bvh · frame 1 / 5 · playing");
+    app.act(Action::Play);
+    assert!(words(&app.scene(Shown::Reference, SIZE)).contains("frame 1 / 5"));
+    let failed = Status::Failed(Arc::new(Trouble {
+        headline: "your code does not compile".into(),
+        details: vec!["error[E0308]: mismatched types".into()],
+    }));
+    for (status, expected) in
+        [(Status::Compiling, "compiling"), (Status::Asking, "asking your functions"), (failed, "E0308")]
+    {
+        let scene = app.scene(Shown::Student(&Recorded::new(status)), SIZE);
+        assert!(words(&scene).contains(expected), "{}", words(&scene));
+        assert_eq!(scene.figures.len(), 1, "the ghost is still there");
+    }
+    assert!(words(&self::app(0).scene(Shown::Reference, SIZE)).contains("rest pose"));
+    assert!(words(&self::app(1).scene(Shown::Reference, SIZE)).contains("only one frame"));
+}
+
+#[test]
+fn help_names_every_key() {
+    let mut app = app(5);
+    app.act(Action::Help);
+    let help = words(&app.scene(Shown::Reference, SIZE));
+    for (name, text) in crate::window::keys::help() {
+        assert!(help.contains(name) && help.contains(text), "{text}");
+    }
+}
+
+#[test]
+fn how_it_plays_is_told_where_it_is_not_as_usual() {
+    let mut app = app(9);
+    assert!(!words(&app.scene(Shown::Reference, SIZE)).contains("speed"));
+    for action in [Action::Slower, Action::Reverse, Action::Loop, Action::Step(2), Action::RangeStart] {
+        app.act(action);
+    }
+    let told = words(&app.scene(Shown::Reference, SIZE));
+    assert!(told.contains("speed 0.75×, backwards, once, frames 2 to 8"), "{told}");
+}
+
+#[test]
+fn points_stand_in_the_window_with_what_was_misunderstood() {
+    let mut app = app(5);
+    let mut recorded = answers(&app, solutions::FK);
+    let named = grading::Named {
+        id: "x",
+        title: "Your angles are degrees.",
+        explanation: "",
+        hint: "Look at pi.",
+        seen_in: &[],
+    };
+    recorded.standing.board = Some(Arc::new(Board {
+        title: "Forward kinematics: 0 of 15 points.".into(),
+        rows: vec![BoardRow {
+            id: "part1",
+            title: "local quaternion",
+            points: 0,
+            of: 5,
+            state: grading::PartState::Wrong,
+            named: vec![named],
+        }],
+        points: 0,
+        of: 15,
+        text: String::new(),
+        summary: String::new(),
+    }));
+    let told = words(&app.scene(Shown::Student(&recorded), SIZE));
+    for part in
+        ["Forward kinematics: 0 of 15 points", "part1  local quaternion  0 of 5  wrong", "degrees.", "pi."]
+    {
+        assert!(told.contains(part), "{part} is missing in {told}");
+    }
+    app.act(Action::Points);
+    assert!(!words(&app.scene(Shown::Student(&recorded), SIZE)).contains("0 of 15"));
+}
+
+#[test]
+fn a_file_that_can_no_longer_be_read_is_told_and_its_last_state_stays() {
+    let mut app = app(5);
+    app.cannot_read("walk.bvh:3:4: no number\nhint");
+    let scene = app.scene(Shown::Reference, SIZE);
+    assert!(words(&scene).contains("walk.bvh:3:4: no number\nhint") && words(&scene).contains("last state"));
+    assert_eq!(scene.figures.len(), 1);
+    app.replace(Arc::new(Stage::new(samples::chain(3, 1.0), PositionChannels::Replace)), vec!["odd".into()]);
+    let told = words(&app.scene(Shown::Reference, SIZE));
+    assert!(!told.contains("no number") && told.contains("frame 0 / 3") && told.contains("odd"), "{told}");
+}
+
+#[test]
+fn without_words_there_is_nothing_but_the_scene() {
+    let mut app = app(5);
+    app.settings.words = false;
+    let scene = app.scene(Shown::Reference, SIZE);
+    assert!(scene.panels.is_empty() && scene.timeline.is_none() && scene.scale_bar.is_none());
+}
