@@ -21,14 +21,19 @@ fn edits() {
     let viewer = Viewer::open_in(&display, &course.folder, &[motion, "--frame", "40"]);
     viewer.wait_for_words("Forward kinematics: 0 of 15 points");
     let off = |picture: &super::display::Picture| picture.count(color_of(Tint::Off(Off::Much)).channels());
-    let template = wait_for("joints that are off", || Some(display.picture()).filter(|now| off(now) > 200));
+    let template = display.picture();
+    assert_eq!(off(&template), 0, "nothing is wrong before it is begun");
+
+    viewer.forget_words();
+    course.save(&SOLUTION.replace("pose[parent].rotation * local_position", "local_position"));
+    viewer.wait_for_words("You do not turn the local position.");
+    viewer.wait_for_change("the figure", &template, 0.02);
+    wait_for("joints that are off", || (off(&display.picture()) > 200).then_some(()));
 
     viewer.forget_words();
     course.save(SOLUTION);
-    let solved = viewer.wait_for_change("the figure", &template, 0.02);
     viewer.wait_for_words("Forward kinematics: 15 of 15 points");
     wait_for("all joints to be in their places", || (off(&display.picture()) == 0).then_some(()));
-    drop(solved);
 
     viewer.forget_words();
     course.save(&SOLUTION.replace("None => local_position,", "None => panic!(\"not today\"),"));
