@@ -1,4 +1,4 @@
-//! How long a picture takes to draw, next to the lines of the same picture drawn by tiny-skia, in the same run.
+//! How long pictures take to draw, next to the lines of the first of them drawn by tiny-skia, in the same run.
 //!
 //! `cargo bench -p viewer --bench draw` prints the medians of interleaved rounds in milliseconds, and how many times
 //! tiny-skia's time each takes: the median of the ratios in each round. It fails when that is more than it should be.

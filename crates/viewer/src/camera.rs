@@ -31,13 +31,18 @@ pub struct Camera {
 impl Camera {
     /// Circles around the target by these angles, in radians, and stays short of straight above and below.
     pub fn orbit(&mut self, azimuth: f32, elevation: f32) {
+        if !(azimuth.is_finite() && elevation.is_finite()) {
+            return;
+        }
         self.azimuth = (self.azimuth + azimuth).rem_euclid(std::f32::consts::TAU);
         self.elevation = (self.elevation + elevation).clamp(-STEEPEST, STEEPEST);
     }
 
     /// Moves towards the target (`factor` below 1) or away from it.
     pub fn zoom(&mut self, factor: f32) {
-        self.distance = (self.distance * factor).clamp(NEAREST, FARTHEST);
+        if factor.is_finite() {
+            self.distance = (self.distance * factor).clamp(NEAREST, FARTHEST);
+        }
     }
 
     /// Moves sideways so that what is at the target's distance moves by these many pixels of a picture of `size`.
@@ -200,6 +205,10 @@ mod tests {
         assert!((spot.x - 350.0).abs() < 0.01 && (spot.y - 168.0).abs() < 0.01, "{spot:?}");
         let before = camera;
         camera.pan(f32::NAN, f32::INFINITY, SIZE);
+        camera.zoom(f32::NAN);
+        camera.zoom(f32::INFINITY);
+        camera.orbit(f32::NAN, 1.0);
+        camera.orbit(1.0, f32::INFINITY);
         assert_eq!(camera, before);
     }
 

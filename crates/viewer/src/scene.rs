@@ -187,8 +187,10 @@ pub enum Off {
 /// Where a joint has been, from long ago until now.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trail {
-    /// Which one it is: trails that are counted differently get colours that can be told apart.
+    /// Which one it is: trails that are counted differently get colours that can be told apart, where they have no side.
     pub index: usize,
+    /// On which side of the body the joint is.
+    pub side: Side,
     /// The places, the present one last.
     pub points: Vec<Vec3>,
 }
@@ -235,13 +237,14 @@ impl Off {
 }
 
 /// A side of the body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {
     /// The figure's own left.
     Left,
     /// The figure's own right.
     Right,
     /// Neither, or unknown.
+    #[default]
     Middle,
 }
 
@@ -279,8 +282,10 @@ pub struct Mark {
 pub enum Tint {
     /// A joint.
     Joint,
-    /// A bone on a side of the body.
+    /// A bone on a side of the body, as a line.
     Bone(Side),
+    /// The same in the light.
+    Body(Side),
     /// A joint that is off.
     Off(Off),
     /// The goal.

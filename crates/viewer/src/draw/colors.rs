@@ -1,7 +1,7 @@
 //! What colour things have.
 
 use crate::draw::canvas::Color;
-use crate::scene::{Off, Side, Tint};
+use crate::scene::{Off, Side, Tint, Trail};
 
 /// Edges around letters, so that they can be read on anything.
 pub(super) const PAPER: Color = Color(0xF4_F6_F7);
@@ -20,6 +20,10 @@ pub fn color_of(tint: Tint) -> Color {
         Tint::Bone(Side::Left) => Color(0xD9_7A_18),
         Tint::Bone(Side::Right) => Color(0x2F_7F_D0),
         Tint::Bone(Side::Middle) => Color(0x39_43_50),
+        // What the light makes of them, by and large.
+        Tint::Body(Side::Left) => Color(0xF0_9E_58),
+        Tint::Body(Side::Right) => Color(0x4A_97_E6),
+        Tint::Body(Side::Middle) => Color(0xEB_E7_DC),
         Tint::Off(Off::Right) => Color(0x8A_2B_D8),
         Tint::Off(Off::Little) => Color(0xFF_E4_5C),
         Tint::Off(Off::Some) => Color(0xE0_44_2E),
@@ -44,17 +48,13 @@ pub(super) fn square_of(off: Off) -> (Color, Color, f32) {
     }
 }
 
-/// The colour of a trail.
-pub(super) fn trail(index: usize) -> Color {
-    const TRAILS: [Color; 8] = [
-        Color(0xC0_30_5A),
-        Color(0x2A_86_48),
-        Color(0x6E_4C_CC),
-        Color(0xD8_5A_22),
-        Color(0x2F_7C_C4),
-        Color(0x8A_6A_10),
-        Color(0xA8_3C_A8),
-        Color(0x4C_40_3A),
-    ];
-    TRAILS[index % TRAILS.len()]
+/// The colour of a trail: that of its side, darker. Where it has none, one that can be told from the others and is neither.
+pub(super) fn trail(trail: &Trail) -> Color {
+    const OTHERS: [Color; 5] =
+        [Color(0xC0_30_5A), Color(0x2A_86_48), Color(0x6E_4C_CC), Color(0x8A_6A_10), Color(0x4C_40_3A)];
+    match trail.side {
+        Side::Left => Color(0xB8_5C_0A),
+        Side::Right => Color(0x1C_5E_AC),
+        Side::Middle => OTHERS[trail.index % OTHERS.len()],
+    }
 }

@@ -147,7 +147,7 @@ impl Pencil<'_> {
 
     /// The path of an End Site, fainter the longer ago it was there.
     fn trail(&mut self, trail: &Trail) {
-        let color = colors::trail(trail.index);
+        let color = colors::trail(trail);
         let count = trail.points.len();
         let mut start = 0;
         for end in 1..count {

@@ -50,7 +50,7 @@ impl Writer<'_> {
         let scaled = |length: i32| (length as f32 * self.scale) as i32;
         let (right, down) = (scaled(mark.text_offset.0), scaled(mark.text_offset.1));
         let below = scaled(5);
-        let far = down.abs() > scaled(20);
+        let far = down.unsigned_abs() > scaled(20).unsigned_abs();
         let width = self.typeface.width(&mark.text, self.size(), Weight::Bold) as i32;
         let start = match right.signum() {
             -1 => right.saturating_sub(width),

@@ -24,7 +24,14 @@ fn side_of(name: &str) -> Option<Side> {
             let after = letters.get(i + 1);
             char.eq_ignore_ascii_case(&letter)
                 && before.is_none_or(|before| !before.is_alphanumeric())
-                && after.is_none_or(|after| !after.is_alphanumeric() || after.is_uppercase())
+                && match after {
+                    None => true,
+                    // A word of its own behind it: LArm, and not LUMBAR.
+                    Some(after) if after.is_uppercase() => {
+                        letters.get(i + 2).is_some_and(|next| next.is_lowercase())
+                    }
+                    Some(after) => !after.is_alphanumeric(),
+                }
         })
     };
     match () {
@@ -48,7 +55,20 @@ mod tests {
         for name in ["RightArm", "rArm", "R", "leg_R"] {
             assert_eq!(side_of(name), Some(Side::Right), "{name}");
         }
-        for name in ["Hips", "Larynx", "LowerBack", "Neck1", "Rib", "Head", "", "Pelvis.001"] {
+        for name in [
+            "ROOT",
+            "LUMBAR",
+            "RIB",
+            "LEGS",
+            "Hips",
+            "Larynx",
+            "LowerBack",
+            "Neck1",
+            "Rib",
+            "Head",
+            "",
+            "Pelvis.001",
+        ] {
             assert_eq!(side_of(name), None, "{name}");
         }
     }

@@ -114,7 +114,10 @@ impl Typeface {
             Weight::Bold => &self.bold,
         };
         self.letters.entry((char, weight, size)).or_insert_with(|| {
-            let Some(font) = font else { return Letter::default() };
+            // Control characters have no shape.
+            let Some(font) = font.as_ref().filter(|_| !char.is_control()) else {
+                return Letter::default();
+            };
             let (metrics, coverage) = font.rasterize(char, size as f32);
             Letter {
                 left: metrics.xmin,
@@ -141,10 +144,6 @@ impl Canvas {
     ) -> f32 {
         let mut along = 0.0f32;
         for char in text.chars() {
-            // Control characters have no shape.
-            if char.is_control() {
-                continue;
-            }
             let letter = typeface.letter(char, size, weight);
             let x = left.saturating_add(along.round() as i32).saturating_add(letter.left);
             let y = baseline.saturating_add(letter.top);
@@ -194,6 +193,15 @@ mod tests {
             }
         }
         assert!(canvas.pixels().iter().any(|pixel| *pixel != 0));
+    }
+
+    #[test]
+    fn a_text_is_as_wide_as_it_is_measured_to_be() {
+        let (mut typeface, mut canvas) = (Typeface::new(), Canvas::new(100, 20));
+        let text = "a\tb\u{7}ß世";
+        let width = typeface.width(text, 15, Weight::Bold);
+        assert_eq!(canvas.text(&mut typeface, text, (0, 15), 15, Weight::Bold, Color::WHITE), width);
+        assert_eq!(typeface.width("\t\u{7}", 15, Weight::Regular), 0.0);
     }
 
     #[test]

@@ -52,7 +52,6 @@ impl Capsule {
             Side::Right => Vec3::new(0.062, 0.265, 0.75),
             Side::Middle => Vec3::new(0.79, 0.75, 0.66),
         };
-        let albedo = if pale { albedo.lerp(Vec3::splat(0.62), 0.55) } else { albedo };
         Some(Capsule { from, to, axis, length, radius, albedo, pale, figure, joints: bone.joints })
     }
 
@@ -107,7 +106,7 @@ impl Capsule {
 }
 
 /// With more bodies than this, each is lit as if it were alone: looking at all pairs would take too long.
-pub(super) const MOST_MUTUAL: usize = 800;
+pub(super) const MOST_MUTUAL: usize = 250;
 
 /// For each capsule, those that may stand between it and the sun, and those that may hide a part of the sky.
 #[derive(Default)]

@@ -12,7 +12,7 @@ use crate::draw::canvas::{Canvas, Color};
 const MOST_APART: f32 = 12.0;
 const ON_RADIUS: f32 = 8.0;
 
-/// Room for silhouettes, in widths and heights of the picture: more than a body has.
+/// Room for silhouettes at first, in widths and heights of the picture: more than a body has.
 const ROOM_FOR_EDGES: usize = 16;
 
 /// Balls of two bones at one joint may be the same: the second must be nearer by this, in depths, to be seen.
@@ -105,6 +105,9 @@ impl Raster {
         for edge in self.scratch.edges.iter().filter(|edge| edge.share > 0.5) {
             nearness[edge.index] = nearness[edge.index].max(edge.nearness);
         }
+        // What thousands of thin bones take is not kept for a few.
+        self.scratch.edges.clear();
+        self.scratch.edges.shrink_to(width * height);
     }
 }
 

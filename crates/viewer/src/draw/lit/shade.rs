@@ -6,6 +6,7 @@ use super::SUN;
 use super::light::{LightMaps, Net};
 use super::shape::{Body, Hit};
 use crate::draw::canvas::Color;
+use crate::draw::colors::PALE;
 
 /// The sun's light.
 const SUNLIGHT: Vec3 = Vec3::new(1.55, 1.48, 1.32);
@@ -14,9 +15,8 @@ const SUNLIGHT: Vec3 = Vec3::new(1.55, 1.48, 1.32);
 const SHINE: f32 = 0.16;
 const RIM: Vec3 = Vec3::new(0.10, 0.13, 0.16);
 
-/// What pale bodies are mixed with, and by how much.
-const PALE: Vec3 = Vec3::new(221.0, 224.0, 227.0);
-const PALENESS: f32 = 0.45;
+/// How much paler a body is that is not up to date.
+const PALENESS: f32 = 0.62;
 
 /// The directions of the rays through the pixels of a row, with a depth of 1.
 pub(super) struct Rays {
@@ -83,7 +83,8 @@ impl Shader<'_> {
             + Vec3::splat(SHINE * mirrored * sun)
             + RIM * rim;
         let color = self.tones.color(lit);
-        if capsule.pale { color.lerp(PALE, PALENESS) } else { color }
+        let pale = || Vec3::from(PALE.channels().map(f32::from));
+        if capsule.pale { color.lerp(pale(), PALENESS) } else { color }
     }
 }
 

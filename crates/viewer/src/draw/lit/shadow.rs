@@ -9,6 +9,11 @@ use crate::draw::canvas::{Canvas, haze};
 /// The most cells along a side of the map: shadows are soft, a coarse map is enough.
 const MOST_CELLS: usize = 224;
 
+/// With many bodies the map gets coarser, so that all of them together look at no more than about this many cells; but
+/// never coarser than this.
+const MOST_LOOKS: f32 = 4e6;
+const FEWEST_CELLS: usize = 48;
+
 /// The least size of a cell, in sizes of the figure.
 const SMALLEST_CELL: f32 = 0.0035;
 
@@ -47,7 +52,8 @@ impl GroundShadow {
         let depth = (lens.eye - Vec3::new(0.0, floor, 0.0)).length();
         let pixel = depth / lens.focal;
         let side = (area.high - area.low).max_element();
-        let most = MOST_CELLS.min(size.0.max(size.1));
+        let affordable = (MOST_LOOKS / capsules.len() as f32).sqrt() as usize;
+        let most = MOST_CELLS.min(size.0.max(size.1)).min(affordable.max(FEWEST_CELLS));
         self.cell = (side / most as f32).max(SMALLEST_CELL).max(0.5 * pixel);
         self.corner = area.low - self.cell;
         let cells = ((area.high - area.low) / self.cell).ceil() + 2.0;
@@ -100,10 +106,11 @@ impl GroundShadow {
     /// Looks up `map` between the four nearest cells; 1 outside of it.
     fn look_up(&self, map: &[f32], place: Vec2) -> f32 {
         let at = (place - self.corner) / self.cell - 0.5;
-        let (column, row) = (at.x as usize, at.y as usize);
-        if !(at.x >= 0.0 && at.y >= 0.0 && column + 1 < self.columns && row + 1 < self.rows) {
+        let inside = |at: f32, count: usize| at >= 0.0 && at + 1.0 < count as f32;
+        if !(inside(at.x, self.columns) && inside(at.y, self.rows)) {
             return 1.0;
         }
+        let (column, row) = (at.x as usize, at.y as usize);
         let (right, down) = (at.x - column as f32, at.y - row as f32);
         let first = row * self.columns + column;
         let Some(cells) = map.get(first..first + self.columns + 2) else { return 1.0 };

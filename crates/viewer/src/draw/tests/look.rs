@@ -27,7 +27,7 @@ impl Dice {
 }
 
 fn bone(from: Vec3, to: Vec3, side: Side) -> Bone {
-    Bone { from, to, side, radius: 0.12, joints: (0, 1) }
+    Bone { from, to, side, radius: 0.3, joints: (0, 1) }
 }
 
 fn bones(bones: Vec<Bone>) -> Figure {

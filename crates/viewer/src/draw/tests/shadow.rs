@@ -7,17 +7,19 @@ use super::*;
 
 const SIZE: (usize, usize) = (400, 300);
 
+/// The middle of a square of the ground, and how large it is: no line is in the picture.
+const MIDDLE: Vec3 = Vec3::new(50.0, 0.0, 50.0);
+const CELL: f32 = 100.0;
+
 /// A bone that lies level, this high above the ground, in a scene that is `unit` times as large.
 fn lying(height: f32, aside: f32, unit: f32) -> Scene {
-    let ends = [-0.4, 0.4].map(|x| Vec3::new(x + aside, height, 0.0) * unit);
+    let ends = [-0.4, 0.4].map(|x| (MIDDLE + Vec3::new(x + aside, height, 0.0)) * unit);
     let bone = Bone { from: ends[0], to: ends[1], side: Side::Left, radius: 0.1 * unit, joints: (0, 1) };
     let mut scene =
         Scene { style: Style::Lit, ..scene(vec![Figure { bones: vec![bone], ..figure(vec![]) }]) };
-    scene.camera = Camera { target: Vec3::ZERO, azimuth: 0.0, elevation: 0.7, distance: 6.0 * unit };
-    // Squares so large that no line is in the picture.
-    scene.ground = Ground { height: 0.0, cell: 1e6 * unit };
-    scene.ground.height = 0.0;
-    scene.camera.target.x = 0.0;
+    let target = MIDDLE * unit;
+    scene.camera = Camera { target, azimuth: 0.0, elevation: 0.7, distance: 6.0 * unit };
+    scene.ground = Ground { height: 0.0, cell: CELL * unit };
     scene.size = 3.0 * unit;
     scene
 }
@@ -26,8 +28,7 @@ fn lying(height: f32, aside: f32, unit: f32) -> Scene {
 fn ground(scene: &Scene, place: Vec3) -> f32 {
     let mut canvas = Canvas::new(SIZE.0, SIZE.1);
     draw(scene, &mut canvas);
-    // Beside the lines through the origin.
-    let spot = scene.camera.view(SIZE).project(place).unwrap();
+    let spot = scene.camera.view(SIZE).project(scene.camera.target + place).unwrap();
     let [red, green, blue] =
         canvas.pixel(spot.x as usize, spot.y as usize).unwrap().channels().map(f32::from);
     red + green + blue
@@ -96,7 +97,7 @@ fn nothing_below_the_ground_and_no_goal_casts_a_shadow() {
 #[test]
 fn one_body_shades_another() {
     let bone = |height: f32| {
-        let ends = [-0.4, 0.4].map(|x| Vec3::new(x, height, 0.0));
+        let ends = [-0.4, 0.4].map(|x| MIDDLE + Vec3::new(x, height, 0.0));
         Bone { from: ends[0], to: ends[1], side: Side::Middle, radius: 0.12, joints: (0, 1) }
     };
     // The second lies between the first and the sun.
@@ -113,4 +114,31 @@ fn one_body_shades_another() {
     };
     let (lit, shaded) = (bright(vec![bone(0.6)]), bright(vec![bone(0.6), other]));
     assert!(shaded < 0.85 * lit, "{shaded} {lit}");
+}
+
+#[test]
+fn another_body_keeps_the_light_of_the_sky_away_and_its_shadow_that_of_the_ground() {
+    let body = |aside: Vec3, radius: f32| {
+        let ends = [-0.4, 0.4].map(|x| MIDDLE + Vec3::new(x, 0.6, 0.0) + aside);
+        Bone { from: ends[0], to: ends[1], side: Side::Middle, radius, joints: (0, 1) }
+    };
+    let bright = |elevation: f32, others: Vec<Bone>, spot: Vec3| {
+        let bones = [body(Vec3::ZERO, 0.12)].into_iter().chain(others).collect();
+        let mut scene = Scene {
+            figures: [Figure { bones, ..figure(vec![]) }].into_iter().collect(),
+            ..lying(0.0, 0.0, 1.0)
+        };
+        scene.camera.elevation = elevation;
+        ground(&scene, Vec3::new(0.0, 0.6, 0.0) + spot)
+    };
+    // Behind it and above, where it is not between the body and the sun: the top gets less of the sky.
+    let beside = Bone { joints: (2, 3), ..body(Vec3::new(0.0, 0.16, -0.26), 0.16) };
+    let top = Vec3::new(0.0, 0.119, 0.01);
+    assert!(SUN.z > 0.0, "what is behind does not stand in the sun");
+    assert!(bright(0.7, vec![beside], top) + 8.0 < bright(0.7, vec![], top));
+    // High above, between the ground below the body and the sun: the underside gets less from the ground.
+    let mut above = Bone { joints: (2, 3), ..body(Vec3::ZERO, 0.5) };
+    (above.from, above.to) = (above.from + SUN * 2.5, above.to + SUN * 2.5);
+    let below = Vec3::new(0.0, -0.119, 0.01);
+    assert!(bright(-0.05, vec![above], below) + 4.0 < bright(-0.05, vec![], below));
 }

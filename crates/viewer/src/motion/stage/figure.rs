@@ -5,7 +5,7 @@ use skeleton::{Joint, Pose, Skeleton};
 
 use super::Stage;
 use crate::motion::body;
-use crate::scene::{Axes, Bone, Dot, Figure, Look, Off};
+use crate::scene::{Axes, Bone, Dot, Figure, Look, Off, Side};
 
 /// How a figure is to be.
 #[derive(Clone, Copy, Debug, Default)]
@@ -82,14 +82,17 @@ pub(super) fn axes(skeleton: &Skeleton, size: f32) -> Vec<f32> {
 
 /// Of joints at which nothing hangs, those that leave traces: of some that are close together, like the tips of fingers,
 /// the one that is farthest from the root. `rest` are the places of all joints at rest, and `size` is the figure's.
-pub(super) fn traced(tips: &[usize], rest: &[Vec3], size: f32) -> Vec<usize> {
+pub(super) fn traced(tips: &[usize], rest: &[Vec3], sides: &[Side], size: f32) -> Vec<usize> {
     const CLOSE: f32 = 0.09;
     let from_root = |tip: &usize| rest[*tip].distance(rest[0]);
     let mut farthest_first = tips.to_vec();
     farthest_first.sort_by(|a, b| from_root(b).total_cmp(&from_root(a)));
     let mut traced: Vec<usize> = Vec::new();
     for tip in farthest_first {
-        if traced.iter().all(|other| rest[*other].distance(rest[tip]) > CLOSE * size) {
+        // The tips of two feet stand close together too, one on each side.
+        let apart =
+            |other: &usize| sides[*other] != sides[tip] || rest[*other].distance(rest[tip]) > CLOSE * size;
+        if traced.iter().all(apart) {
             traced.push(tip);
         }
     }
@@ -191,10 +194,13 @@ mod tests {
     #[test]
     fn of_tips_that_are_close_together_one_leaves_a_trace() {
         let rest = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 0.01, 0.0), Vec3::new(1.02, 0.0, 0.0), -Vec3::Y];
-        assert_eq!(traced(&[1, 2, 3, 4], &rest, 1.0), [3, 4]);
-        assert_eq!(traced(&[1, 2, 3, 4], &rest, 0.01), [1, 2, 3, 4]);
-        assert!(traced(&[], &[], 1.0).is_empty());
-        assert_eq!(traced(&[1, 2], &[Vec3::NAN; 3], 1.0).len(), 1);
+        let same = [Side::Middle; 5];
+        assert_eq!(traced(&[1, 2, 3, 4], &rest, &same, 1.0), [3, 4]);
+        assert_eq!(traced(&[1, 2, 3, 4], &rest, &same, 0.01), [1, 2, 3, 4]);
+        let feet = [Side::Middle, Side::Left, Side::Right, Side::Left, Side::Middle];
+        assert_eq!(traced(&[1, 2, 3, 4], &rest, &feet, 1.0), [2, 3, 4]);
+        assert!(traced(&[], &[], &[], 1.0).is_empty());
+        assert_eq!(traced(&[1, 2], &[Vec3::NAN; 3], &same, 1.0).len(), 1);
     }
 
     #[test]

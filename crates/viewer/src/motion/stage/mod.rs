@@ -83,7 +83,8 @@ impl Stage {
         let skeleton = stage.motion.skeleton();
         stage.radii = body::radii(skeleton, stage.size);
         stage.axes = figure::axes(skeleton, stage.size);
-        stage.traced = figure::traced(&tips(skeleton.joints()), &skeleton.rest_positions(), stage.size);
+        let rest = skeleton.rest_positions();
+        stage.traced = figure::traced(&tips(skeleton.joints()), &rest, &stage.sides, stage.size);
         stage
     }
 
@@ -215,6 +216,11 @@ impl Stage {
     /// Whether the coordinates are so large, compared with the skeleton, that single precision shows no true figure.
     pub fn is_too_coarse(&self) -> bool {
         self.too_coarse
+    }
+
+    /// On which side of the body a joint (from 0) is.
+    pub fn side(&self, joint: usize) -> Side {
+        self.sides.get(joint).copied().unwrap_or_default()
     }
 
     /// Whether left and right can be told by the joints' names.

@@ -155,6 +155,7 @@ impl App {
         for index in 0..tips.len() {
             let trail = scene.trails.add();
             trail.index = index;
+            trail.side = stage.side(tips[index]);
             trail.points.clear();
         }
         for index in self.player.traced(most) {

@@ -12,11 +12,15 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
     } else {
         panel.add(Line::Legend(Tint::Joint), "joint");
     }
+    let bone = match app.settings.style {
+        Style::Lit => Tint::Body,
+        Style::Lines => Tint::Bone,
+    };
     if stage.has_sides() {
-        panel.add(Line::Legend(Tint::Bone(Side::Left)), "left");
-        panel.add(Line::Legend(Tint::Bone(Side::Right)), "right");
-    } else if app.settings.style == Style::Lines {
-        panel.add(Line::Legend(Tint::Bone(Side::Middle)), "bone");
+        panel.add(Line::Legend(bone(Side::Left)), "left");
+        panel.add(Line::Legend(bone(Side::Right)), "right");
+    } else {
+        panel.add(Line::Legend(bone(Side::Middle)), "bone");
     }
     if app.settings.axes {
         panel.add(Line::Legend(Tint::X), "local X axis");
