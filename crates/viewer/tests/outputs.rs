@@ -1,22 +1,15 @@
 //! Pictures, films and contact sheets, from outside.
 #![allow(clippy::unwrap_used)]
 
+mod command;
+
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+
+use command::view;
 
 const SMALL: [&str; 3] = ["--solution", "--size", "160x120"];
-
-/// Runs the viewer where there is no display.
-fn view(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_view"));
-    command
-        .env_remove("DISPLAY")
-        .env_remove("WAYLAND_DISPLAY")
-        .env("CARGO_MANIFEST_DIR", env!("CARGO_MANIFEST_DIR"));
-    command.args(arguments).output().unwrap()
-}
 
 /// Runs it with what makes a small picture of the reference, and gives what it says.
 fn small(arguments: &[&str]) -> Result<String, String> {

@@ -1,11 +1,14 @@
 //! The command `cargo view`, from outside.
 #![allow(clippy::unwrap_used)]
 
+mod command;
+
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 use std::sync::Arc;
 
+use command::view;
 use skeleton::PositionChannels;
 use viewer::camera::Spot;
 use viewer::draw::color_of;
@@ -15,15 +18,6 @@ use viewer::motion::stage::Stage;
 use viewer::scene::Tint;
 use viewer::view::answers::Recorded;
 use viewer::view::app::{App, Shown};
-
-fn view(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_view"));
-    command
-        .env_remove("DISPLAY")
-        .env_remove("WAYLAND_DISPLAY")
-        .env("CARGO_MANIFEST_DIR", env!("CARGO_MANIFEST_DIR"));
-    command.args(arguments).output().unwrap()
-}
 
 fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()

@@ -6,6 +6,19 @@ use crate::scene::{Off, Side, Tint, Trail};
 /// Edges around letters, so that they can be read on anything.
 pub(super) const PAPER: Color = Color(0xF4_F6_F7);
 
+/// What is written on the picture itself.
+pub(super) const INK: Color = Color(0x22_2A_35);
+
+/// Behind texts, and the share of the picture that it hides.
+pub(super) const BACKDROP: Color = Color(0x1D_24_2E);
+pub(super) const BACKDROP_OPACITY: f32 = 0.82;
+
+/// On it: ordinary words, less important ones, what is right or done, and what asks to be looked at.
+pub(super) const PLAIN: Color = Color(0xE6_EA_EE);
+pub(super) const QUIET: Color = Color(0xB9_C2_CC);
+pub(super) const RIGHT: Color = Color(0x7F_D4_FF);
+pub(super) const WARNING: Color = Color(0xFF_C2_4B);
+
 /// The border of a joint's square, of a dark one, and of the frame around the selected one.
 const SQUARE_BORDER: Color = Color(0x3B_0F_63);
 const LIGHT_BORDER: Color = Color(0xFF_D9_D2);
@@ -32,7 +45,7 @@ pub fn color_of(tint: Tint) -> Color {
         Tint::X => Color(0xC8_1E_1E),
         Tint::Y => Color(0x2F_B3_44),
         Tint::Z => Color(0x22_3F_D6),
-        Tint::Ink => Color(0x22_2A_35),
+        Tint::Ink => INK,
     }
 }
 

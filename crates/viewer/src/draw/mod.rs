@@ -41,7 +41,7 @@ impl Painter {
     /// Draws `scene` over whatever `canvas` shows.
     pub fn draw(&mut self, scene: &Scene, canvas: &mut Canvas) {
         let view = scene.camera.view(canvas.size());
-        let scale = text_scale(scene);
+        let scale = usable_scale(scene.text_scale);
         let reach = 4.5 * scene.camera.distance;
         canvas.background(&view, scene.ground, reach);
         if scene.style == Style::Lit {
@@ -84,9 +84,9 @@ impl Painter {
     }
 }
 
-/// How large texts, lines and margins are.
-fn text_scale(scene: &Scene) -> f32 {
-    if scene.text_scale.is_nan() { 1.0 } else { scene.text_scale.clamp(0.5, 4.0) }
+/// How large texts, lines and margins are, when this was asked for.
+fn usable_scale(text_scale: f32) -> f32 {
+    if text_scale.is_nan() { 1.0 } else { text_scale.clamp(0.5, 4.0) }
 }
 
 const AXES: [(Vec3, Tint); 3] = [(Vec3::X, Tint::X), (Vec3::Y, Tint::Y), (Vec3::Z, Tint::Z)];

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use crate::draw::canvas::{Canvas, Color, Typeface, Weight};
-use crate::draw::color_of;
+use super::canvas::{Canvas, Color, Typeface, Weight};
+use super::colors::{BACKDROP, BACKDROP_OPACITY, PLAIN, QUIET, RIGHT, WARNING, color_of};
 use crate::scene::{Corner, Line, Panel};
 
 /// Lengths in pixels, for an ordinary display.
@@ -21,13 +21,6 @@ const SMALLEST: f32 = 0.72;
 /// The share of the picture that panels may cover, in a small picture and in others, and the least picture that has any.
 const MOST_COVERED: (f32, f32) = (0.38, 0.5);
 const LEAST: (f32, f32) = (96.0, 64.0);
-
-const BACKDROP: Color = Color(0x1D_24_2E);
-const BACKDROP_OPACITY: f32 = 0.82;
-const PLAIN: Color = Color(0xE6_EA_EE);
-const QUIET: Color = Color(0xB9_C2_CC);
-const RIGHT: Color = Color(0x7F_D4_FF);
-const WARNING: Color = Color(0xFF_C2_4B);
 
 /// Lays panels over pictures, and keeps the memory for this.
 #[derive(Default)]

@@ -1,8 +1,10 @@
 //! A ruler in the picture: how long a length of the world is where the camera looks at.
 
+use super::canvas::{Canvas, Typeface, Weight};
+use super::colors::{INK, PAPER};
+use super::usable_scale;
 use crate::camera::{Camera, View};
-use crate::draw::canvas::{Canvas, Color, Typeface, Weight};
-use crate::scene::{ScaleBar, Tint};
+use crate::scene::ScaleBar;
 
 /// Lengths in pixels, for an ordinary display.
 const TEXT_SIZE: f32 = 13.0;
@@ -12,14 +14,11 @@ const SHORTEST: f32 = 8.0;
 /// The share of the picture's width that the ruler never exceeds.
 const SHARE: f32 = 1.0 / 3.0;
 
-const INK: Color = Color(0x22_2A_35);
-const PAPER: Color = Color(0xF4_F6_F7);
-
 /// A length that makes a good ruler in a picture of `size` pixels: the largest of 1, 2 and 5 times a power of ten that
 /// is not too long, in world units. `None` when there is no such number.
 pub fn fitting_length(camera: &Camera, size: (usize, usize), text_scale: f32) -> Option<f32> {
     let per_pixel = camera.distance / camera.view(size).focal;
-    let longest = (SHARE * size.0 as f32).min(LONGEST * text_scale.clamp(0.5, 4.0)) * per_pixel;
+    let longest = (SHARE * size.0 as f32).min(LONGEST * usable_scale(text_scale)) * per_pixel;
     let power = 10f64.powf(f64::from(longest).log10().floor());
     let steps = [5.0, 2.0, 1.0].map(|digit| (digit * power) as f32);
     steps.into_iter().find(|length| *length <= longest && length.is_normal())
@@ -61,11 +60,10 @@ pub(crate) fn draw(
     let size = pixels(TEXT_SIZE).unsigned_abs();
     let text = typeface.width(&ruler.label, size, Weight::Regular) as i32;
     let place = (left + (length - text) / 2, foot - tick - pixels(2.0));
-    let color = crate::draw::color_of(Tint::Ink);
     for (right, down) in [(-1, 0), (1, 0), (0, -1), (0, 1)] {
         canvas.text(typeface, &ruler.label, (place.0 + right, place.1 + down), size, Weight::Regular, PAPER);
     }
-    canvas.text(typeface, &ruler.label, place, size, Weight::Regular, color);
+    canvas.text(typeface, &ruler.label, place, size, Weight::Regular, INK);
 }
 
 #[cfg(test)]
@@ -73,6 +71,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::draw::canvas::Color;
 
     proptest! {
         #[test]

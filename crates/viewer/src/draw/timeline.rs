@@ -1,6 +1,8 @@
 //! The bar at the bottom of the picture that shows the frame among all frames, and where to press to go to one.
 
-use crate::draw::canvas::{Canvas, Color, Typeface, Weight};
+use super::canvas::{Canvas, Color, Typeface, Weight};
+use super::colors::{BACKDROP, BACKDROP_OPACITY, QUIET, RIGHT, WARNING};
+use super::usable_scale;
 use crate::scene::Timeline;
 
 /// Lengths in pixels, for an ordinary display.
@@ -14,12 +16,8 @@ const TICKS_APART: f32 = 64.0;
 /// The least picture that has a bar.
 const LEAST: (f32, f32) = (160.0, 140.0);
 
-const BACKDROP: Color = Color(0x1D_24_2E);
 const GROOVE: Color = Color(0x4A_55_63);
 const IN_RANGE: Color = Color(0x8C_98_A6);
-const PLAYED: Color = Color(0x7F_D4_FF);
-const BRACKETS: Color = Color(0xFF_C2_4B);
-const WORDS: Color = Color(0xB9_C2_CC);
 
 /// Where the bar is in a picture. Places are in pixels from the left and from the top.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +38,7 @@ impl Bar {
     /// ([`Scene::text_scale`](crate::scene::Scene::text_scale)). `None` when there are fewer than two frames, or the
     /// picture is too small.
     pub fn new(timeline: &Timeline, size: (usize, usize), text_scale: f32) -> Option<Bar> {
-        let scale = if text_scale.is_nan() { 1.0 } else { text_scale.clamp(0.5, 4.0) };
+        let scale = usable_scale(text_scale);
         let (width, height) = (size.0 as f32, size.1 as f32);
         let fits = timeline.count >= 2 && width >= LEAST.0 * scale && height >= LEAST.1 * scale;
         fits.then_some(Bar {
@@ -75,7 +73,7 @@ impl Bar {
     pub(crate) fn draw(&self, timeline: &Timeline, typeface: &mut Typeface, canvas: &mut Canvas) {
         let pixels = |length: f32| (length * self.scale).round() as i32;
         let (width, height) = (self.size.0 as i32, self.size.1 as i32);
-        canvas.rectangle((0, self.top as i32), (width, height), BACKDROP, 0.82);
+        canvas.rectangle((0, self.top as i32), (width, height), BACKDROP, BACKDROP_OPACITY);
 
         let thick = pixels(TRACK).max(2);
         let middle = self.top as i32 + pixels(TRACK_DOWN);
@@ -88,7 +86,7 @@ impl Bar {
         let place = |frame| self.place_of(frame);
         track(self.first, self.last, GROOVE);
         track(place(start), place(stop), IN_RANGE);
-        track(place(start), place(timeline.frame.min(stop)), PLAYED);
+        track(place(start), place(timeline.frame.min(stop)), RIGHT);
         self.ticks(middle + pixels(TRACK), typeface, canvas);
         if (start, stop) != (0, end) {
             for (frame, inwards) in [(start, 1), (stop, -1)] {
@@ -98,7 +96,7 @@ impl Bar {
         // A full knob while it is playing, a ring while it rests.
         let knob = (place(timeline.frame), middle as f32);
         canvas.disc(knob, 8.0 * self.scale, Color::WHITE);
-        let inner = if timeline.playing { PLAYED } else { BACKDROP };
+        let inner = if timeline.playing { RIGHT } else { BACKDROP };
         canvas.disc(knob, 4.5 * self.scale, inner);
     }
 
@@ -107,9 +105,9 @@ impl Bar {
         let pixels = |length: f32| ((length * self.scale).round() as i32).max(1);
         let (half, foot, thick) = (pixels(9.0), pixels(5.0), pixels(2.0));
         let left = |length: i32| if inwards > 0 { x } else { x - length };
-        canvas.rectangle((left(thick), middle - half), (thick, 2 * half), BRACKETS, 1.0);
+        canvas.rectangle((left(thick), middle - half), (thick, 2 * half), WARNING, 1.0);
         for top in [middle - half, middle + half - thick] {
-            canvas.rectangle((left(foot), top), (foot, thick), BRACKETS, 1.0);
+            canvas.rectangle((left(foot), top), (foot, thick), WARNING, 1.0);
         }
     }
 
@@ -126,9 +124,9 @@ impl Bar {
             let middle = self.place_of(frame).round() as i32;
             let left = (middle - width / 2).clamp(2, (self.size.0 as i32 - width - 2).max(2));
             if left + width <= free_until {
-                canvas.rectangle((middle, top), (pixels(1.0), pixels(4.0)), WORDS, 1.0);
+                canvas.rectangle((middle, top), (pixels(1.0), pixels(4.0)), QUIET, 1.0);
                 let baseline = top + pixels(5.0) + size as i32;
-                canvas.text(typeface, text, (left, baseline), size, Weight::Regular, WORDS);
+                canvas.text(typeface, text, (left, baseline), size, Weight::Regular, QUIET);
             }
             left
         };
@@ -235,9 +233,9 @@ mod tests {
         let white = columns(&canvas, Color::WHITE);
         let (low, high) = (white.iter().min().unwrap(), white.iter().max().unwrap());
         assert!(((low + high + 1) as f32 / 2.0 - bar.place_of(700)).abs() < 1.5);
-        assert!(columns(&canvas, BRACKETS).is_empty());
+        assert!(columns(&canvas, WARNING).is_empty());
         let (bar, canvas) = drawn(Timeline { frame: 700, range: (200, 900), ..WHOLE });
-        let brackets = columns(&canvas, BRACKETS);
+        let brackets = columns(&canvas, WARNING);
         assert!((*brackets.iter().min().unwrap() as f32 - bar.place_of(200)).abs() < 1.5);
         assert!((*brackets.iter().max().unwrap() as f32 + 1.0 - bar.place_of(900)).abs() < 1.5);
     }

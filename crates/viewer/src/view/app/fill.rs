@@ -152,10 +152,9 @@ impl App {
         let most = self.traced_frames();
         // Every so many frames of the motion, so that points do not crawl along their trace.
         let step = most.div_ceil(TRACE_POINTS).max(1);
-        for index in 0..tips.len() {
+        for (index, tip) in tips.iter().enumerate() {
             let trail = scene.trails.add();
-            trail.index = index;
-            trail.side = stage.side(tips[index]);
+            (trail.index, trail.side) = (index, stage.side(*tip));
             trail.points.clear();
         }
         for index in self.player.traced(most) {
