@@ -26,6 +26,9 @@ const WRONG: Style = AnsiColor::Yellow.on_default().bold();
 const STRONG: Style = Style::new().bold();
 const FAINT: Style = Style::new().dimmed();
 
+/// What is said at the end when all is right.
+pub const INVITATION: &str = " Well done: run `cargo view` and see it run.";
+
 /// Columns of text.
 const WIDTH: usize = 88;
 
@@ -84,7 +87,7 @@ impl Scoreboard<'_> {
         }
         let (points, of) = self.points();
         let all_right = points == of && self.parts.len() == self.rubric.parts.len();
-        let all = if all_right { " Well done: run `cargo view` and see it run." } else { "" };
+        let all = if all_right { INVITATION } else { "" };
         writeln!(f, "{}{all}", Styled(STRONG, &self.verdict()))
     }
 }

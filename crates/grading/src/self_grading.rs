@@ -24,16 +24,16 @@ pub struct Graded {
 }
 
 impl Graded {
-    /// Asks `subject` all questions of `exam` within the limits of [`self_grade`], and lets it forget what it keeps
-    /// before every part, as there.
-    pub fn ask(subject: &mut dyn Subject, exam: &Exam) -> Graded {
+    /// Asks `subject` all questions of `exam`, and lets it forget what it keeps before every part, as [`self_grade`] does.
+    /// `limit` is how long a check may take: there it is [`CHECK_LIMIT`].
+    pub fn ask(subject: &mut dyn Subject, exam: &Exam, limit: Duration) -> Graded {
         let mut part = |part| {
             subject.restart();
-            grade_part(subject, part, CHECK_LIMIT)
+            grade_part(subject, part, limit)
         };
         let parts = exam.parts.iter().map(&mut part).collect();
         subject.restart();
-        Graded { parts, whole: fk::grade_whole_motion(subject, &exam.whole_motion, CHECK_LIMIT) }
+        Graded { parts, whole: fk::grade_whole_motion(subject, &exam.whole_motion, limit) }
     }
 
     /// The text that [`self_grade`] prints.

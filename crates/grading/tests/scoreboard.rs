@@ -75,7 +75,7 @@ impl Subject for Restarted {
 fn check(name: &str, functions: FkFunctions) {
     let exam = fk::exam(PUBLIC_SEED, &Solutions);
     let mut subject = Restarted(InProcess(Functions::Fk(functions)), 0);
-    let graded = Graded::ask(&mut subject, &exam);
+    let graded = Graded::ask(&mut subject, &exam, grading::CHECK_LIMIT);
     assert_eq!(
         subject.1,
         exam.parts.len() + 1,

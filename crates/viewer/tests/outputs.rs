@@ -180,9 +180,11 @@ fn what_cannot_be_done_is_told_and_nothing_is_written() {
         (&["--apng", gif], "ends in .png or .apng"),
         (&["--png", png, "--joint", "Nose"], "there is no joint \"Nose\""),
         (&["--png", png, "--gif", gif], "cannot be used with"),
+        (&["--png", png, "--frames", "1..2"], "cannot be used with"),
+        (&["--gif", gif, "--frame", "1"], "cannot be used with"),
         (&["--png", png, "--camera", "north"], "90,20"),
         (&["--png", png, "--speed", "0"], "0.01 to 100"),
-        (&["--png", png, "--hide", "nose"], "ghost"),
+        (&["--png", png, "--hide", "nose"], "goal"),
     ] {
         let said = small(arguments).unwrap_err();
         assert!(said.contains(expected), "{arguments:?}: {said}");

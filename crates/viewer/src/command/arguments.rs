@@ -15,7 +15,7 @@ use crate::view::app::Settings;
 use crate::view::gallery::Gallery;
 use crate::window::keys;
 
-/// Shows a motion moved by YOUR functions in exercises/fk/src/fk.rs, with the right answer beside it as a ghost.
+/// Shows a motion moved by YOUR functions in exercises/fk/src/fk.rs, with the right answer, the goal, as a ghost.
 ///
 /// Your file is compiled again whenever you save it, and the picture follows.
 #[derive(Clone, Debug, Parser)]
@@ -49,17 +49,17 @@ pub struct Arguments {
     #[arg(long, value_name = "PICTURE", group = "output")]
     sheet: Option<PathBuf>,
 
-    /// The frame to begin with, or for the picture: counted from 0
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub frame: usize,
+    /// The frame to begin with, or for the picture: counted from 0 [default: 0]
+    #[arg(long, value_name = "N", conflicts_with_all = ["gif", "apng", "sheet", "print"], allow_negative_numbers = true)]
+    frame: Option<usize>,
 
     /// The frames of a film or a sheet: 100..200 (both included), 100.., ..50, or 100..200/4 for every fourth [default:
     /// all]
-    #[arg(long, value_name = "RANGE")]
+    #[arg(long, value_name = "RANGE", conflicts_with_all = ["png", "print"])]
     pub frames: Option<FrameRange>,
 
     /// How many pictures a sheet has
-    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..=400))]
+    #[arg(long, value_name = "N", default_value_t = 12, requires = "sheet", value_parser = clap::value_parser!(u16).range(1..=400))]
     pub pictures: u16,
 
     /// How fast a film is, compared with the motion
@@ -67,7 +67,7 @@ pub struct Arguments {
     pub speed: f64,
 
     /// Width and height of the window or the picture, in pixels; of each picture of a sheet [default: 1280x720, and
-    /// 320x240 on a sheet]
+    /// 320x240 on a sheet, times the scale]
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<(usize, usize)>,
 
@@ -107,8 +107,9 @@ pub struct Arguments {
 /// Something that can be in the picture or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Thing {
-    /// The goal beside your figure
-    Ghost,
+    /// The right answer, as a ghost
+    #[value(alias = "ghost")]
+    Goal,
     /// The joints' axes
     Axes,
     /// Where the tips have been
@@ -159,10 +160,17 @@ impl Arguments {
         png.or(gif).or(apng).or(self.sheet.clone().map(Output::Sheet))
     }
 
+    /// The frame to begin with.
+    pub fn frame(&self) -> usize {
+        self.frame.unwrap_or(0)
+    }
+
     /// Width and height of the window or the picture, or of each picture of a sheet.
     pub fn size(&self) -> (usize, usize) {
-        let usual = if self.sheet.is_some() { (320, 240) } else { (1280, 720) };
-        self.size.unwrap_or(usual)
+        let usual = if self.sheet.is_some() { (320.0, 240.0) } else { (1280.0, 720.0) };
+        // Where texts are twice as large, there is to be as much room for them.
+        let scaled = |side: f32| (side * self.scale.max(1.0)) as usize;
+        self.size.unwrap_or((scaled(usual.0), scaled(usual.1)))
     }
 
     /// The size of each of `count` motions in one picture.
@@ -178,7 +186,7 @@ impl Arguments {
     /// When it has not.
     pub fn check_frame(&self, source: &Source, loaded: &Loaded) -> Result<(), String> {
         let count = loaded.stage.motion().frame_count();
-        frames::check(self.frame, count).map_err(|error| format!("{}: {error}", source.title()))
+        frames::check(self.frame(), count).map_err(|error| format!("{}: {error}", source.title()))
     }
 
     /// Sets all motions up: what is drawn of them, the frame, the joint, and the side to look from.
@@ -190,7 +198,7 @@ impl Arguments {
         for app in gallery.apps_mut() {
             app.settings = self.settings();
         }
-        gallery.go_to(0, self.frame);
+        gallery.go_to(0, self.frame());
         if let Some(Side { around, above, zoom }) = self.camera {
             let tiles: Vec<_> = gallery.tiles(self.size()).collect();
             for tile in tiles {
@@ -208,7 +216,7 @@ impl Arguments {
         for (things, shown) in [(&self.show, true), (&self.hide, false)] {
             for thing in things {
                 *match thing {
-                    Thing::Ghost => &mut settings.ghost,
+                    Thing::Goal => &mut settings.ghost,
                     Thing::Axes => &mut settings.axes,
                     Thing::Traces => &mut settings.traces,
                     Thing::Points => &mut settings.points,

@@ -65,6 +65,7 @@ impl Studio {
         }
         let mut gallery = Gallery::new(apps);
         arguments.prepare(&mut gallery)?;
+        gallery.apps_mut().iter_mut().for_each(|app| app.settings.still = true);
         let (frames, seconds) = choose(arguments, output, &gallery.apps()[0])?;
         let mut studio = Studio {
             gallery,
@@ -89,10 +90,7 @@ impl Studio {
                 Err(trouble) => Recorded::new(Status::Failed(trouble.clone().into())),
                 Ok(worker) => self.record(worker, motion),
             };
-            if let Status::Failed(trouble) = &recorded.standing.status {
-                let shown = if recorded.poses.is_empty() { "only the goal" } else { "what came before that" };
-                eprintln!("{}: the picture shows {shown}", trouble.headline);
-            }
+            tell(&recorded);
             self.answers.push(recorded);
         }
         if let Ok(worker) = &mut worker {
@@ -166,7 +164,8 @@ impl Studio {
         film::write(path, format, frames, draw, |done| progress.set_position(done as u64)).map_err(text)?;
         progress.finish_and_clear();
         let (width, height) = size;
-        Ok(format!("{count} pictures of {width} x {height} pixels, {:.2} seconds", seconds * count as f64))
+        let pictures = if count == 1 { "picture" } else { "pictures" };
+        Ok(format!("{count} {pictures} of {width} x {height} pixels, {:.2} seconds", seconds * count as f64))
     }
 
     fn sheet(&mut self, path: &Path, arguments: &Arguments) -> Result<String, String> {
@@ -175,15 +174,21 @@ impl Studio {
         let (frames, mut painter) = (self.frames.clone(), Painter::new());
         for (index, frame) in frames.iter().take(sheet.count()).enumerate() {
             self.draw(*frame);
-            sheet.place(index, self.screen.canvas(), &format!("frame {frame}"), &mut painter);
+            // Several motions share a time, and not a frame's number.
+            let caption = match self.gallery.apps() {
+                [_] => format!("frame {frame}"),
+                apps => format!("{:.2} s", *frame as f64 * apps[0].stage().motion().playable_frame_time()),
+            };
+            sheet.place(index, self.screen.canvas(), &caption, &mut painter);
         }
         let fewer = match sheet.count() < frames.len() {
             true => format!(" (of {}: more do not fit)", arguments.pictures),
             false => String::new(),
         };
         let (count, sheet) = (sheet.count(), sheet.finish());
+        let frames = if count == 1 { "frame" } else { "frames" };
         picture::save(&sheet, path).map_err(|error| not_written(path, &error))?;
-        Ok(format!("{count} frames{fewer}, {} x {} pixels", sheet.size().0, sheet.size().1))
+        Ok(format!("{count} {frames}{fewer}, {} x {} pixels", sheet.size().0, sheet.size().1))
     }
 }
 
@@ -199,7 +204,7 @@ fn choose(arguments: &Arguments, output: &Output, first: &App) -> Result<(Vec<us
         (all.clone().step_by(every).collect(), seconds * (every * range.step()) as f64)
     };
     Ok(match output {
-        Output::Png(_) => (vec![arguments.frame], seconds),
+        Output::Png(_) => (vec![arguments.frame()], seconds),
         Output::Gif(_) => film(Format::Gif),
         Output::Apng(_) => film(Format::Apng),
         Output::Sheet(_) if range.step() > 1 => (all.collect(), seconds),
@@ -209,6 +214,23 @@ fn choose(arguments: &Arguments, output: &Output, first: &App) -> Result<(Vec<us
             (spread(first, last, arguments.pictures.into()), seconds)
         }
     })
+}
+
+/// Says in the terminal what is wrong with the student's functions, if anything is.
+fn tell(recorded: &Recorded) {
+    let general = match &recorded.standing.status {
+        Status::Failed(trouble) => Some(trouble),
+        _ => None,
+    };
+    let Some(trouble) = recorded.troubles.values().next().or(general) else { return };
+    let shown = match recorded.poses.is_empty() {
+        true => "the picture shows only the goal",
+        false => "where that is so, only the goal is shown",
+    };
+    eprintln!("{}: {shown}", trouble.headline);
+    if !trouble.is_in_terminal() {
+        trouble.details.iter().for_each(|line| eprintln!("  {line}"));
+    }
 }
 
 fn save(screen: &Screen, path: &Path) -> Result<(), String> {

@@ -62,7 +62,7 @@ fn view(arguments: &Arguments) -> Result<(), String> {
 /// appears as soon as it can be.
 fn open(arguments: &Arguments, source: &Source, count: usize, is_first: bool) -> Result<App, String> {
     // A name without a file is most likely a slip of the hand.
-    if !source.path.exists() {
+    if !source.path.is_file() {
         source.read().map_err(text)?;
     }
     let loaded = source.read();

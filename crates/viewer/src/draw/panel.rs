@@ -144,7 +144,8 @@ impl Panels {
         let covered: i64 =
             self.placed.iter().map(|place| i64::from(place.width) * i64::from(place.height)).sum();
         let most = measures.room - covered;
-        for rows in (1..=self.rows.len()).rev() {
+        // What is cut ends in dots; dots alone say nothing.
+        for rows in (1..=self.rows.len()).rev().filter(|rows| *rows > 1 || self.rows.len() == 1) {
             let height = rows as i32 * measures.line + 2 * measures.padding - measures.line / 5;
             if i64::from(width) * i64::from(height) > most {
                 continue;

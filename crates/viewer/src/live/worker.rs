@@ -22,6 +22,10 @@ pub struct Trouble {
     pub details: Vec<String>,
 }
 
+/// What to do where the compiler points into a file that is not the student's.
+const FIXED: &str = "Your file no longer fits the fixed ones: is fk.rs there, and are the first lines of its three functions as they were? \
+                     A fresh one is solutions/templates/fk.rs.";
+
 /// Stands below the few lines that the window has room for.
 const IN_TERMINAL: &str = "The compiler's own words are in the terminal.";
 
@@ -103,7 +107,12 @@ fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble
     let students = built.first_error.as_ref().is_some_and(|found| found.place.is_some());
     let headline = if students { "your code does not compile" } else { "your functions could not be built" };
     let found = built.first_error.unwrap_or(Found { words: cargos_error, ..Found::default() });
+    let in_fixed = |place: &String| !place.replace('\\', "/").contains("src/fk.rs:");
+    let fixed = found.place.as_ref().is_some_and(in_fixed);
     let mut details = found.lines();
+    if fixed {
+        details.push(FIXED.into());
+    }
     if details.is_empty() {
         let how = status.map_or_else(|error| error.to_string(), |status| status.to_string());
         details.push(format!("cargo ended without a word: {how}"));

@@ -1,10 +1,11 @@
 //! What is known of a student's functions on one motion.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::ops::Range;
+use std::sync::Arc;
 
-use exam::Subject;
 use exam::fk::{LocalAnswer, PosedFrame};
+use exam::{Failure, Subject};
 use skeleton::{FkFunctions, Frame, FrameCursor, Pose, pose_frame};
 
 use crate::live::student::{self, PATIENCE, Standing, Status};
@@ -29,6 +30,9 @@ pub trait Answers {
 /// How many joints are asked about at once.
 const JOINTS_AT_ONCE: usize = 8_000;
 
+/// With so many endless loops or crashes no more frames are asked: each takes seconds.
+const MOST_COSTLY: usize = 3;
+
 /// Answers that have been given: for pictures, where all questions are asked beforehand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recorded {
@@ -36,6 +40,8 @@ pub struct Recorded {
     pub standing: Standing,
     /// What the functions made of the frames that they were asked about.
     pub poses: BTreeMap<usize, PosedFrame>,
+    /// What is wrong with frames that were not answered.
+    pub troubles: BTreeMap<usize, Arc<Trouble>>,
     /// What part 1 made of every joint in the frames that it was asked about.
     pub locals: BTreeMap<usize, Vec<LocalAnswer>>,
 }
@@ -44,11 +50,11 @@ impl Recorded {
     /// No answers yet.
     pub fn new(status: Status) -> Recorded {
         let standing = Standing { status, current: true, board: None, former: None, grading: false };
-        Recorded { standing, poses: BTreeMap::new(), locals: BTreeMap::new() }
+        Recorded { standing, poses: BTreeMap::new(), troubles: BTreeMap::new(), locals: BTreeMap::new() }
     }
 
-    /// Asks a subject about these frames of the motion on `stage`, in any order, here and now. Where it fails, the answers
-    /// that it has given by then are kept.
+    /// Asks a subject about these frames of the motion on `stage`, in any order, here and now. A frame that fails is told
+    /// with what is wrong with it, and the others are asked all the same, until too many have failed.
     pub fn ask(
         subject: &mut impl Subject,
         stage: &Stage,
@@ -56,13 +62,27 @@ impl Recorded {
     ) -> Recorded {
         let mut recorded = Recorded::new(Status::Answered);
         let most = (JOINTS_AT_ONCE / stage.motion().skeleton().len().max(1)).max(1);
-        for frames in ranges(frames.into_iter().collect(), most) {
-            match student::ask(subject, stage, frames.clone()) {
-                Ok(poses) => recorded.poses.extend(frames.zip(poses)),
-                Err(failure) => {
-                    recorded.standing.status = Status::Failed(Trouble::from(failure).into());
-                    break;
+        let mut ranges = VecDeque::from(ranges(frames.into_iter().collect(), most));
+        let mut costly = 0;
+        while let Some(frames) = ranges.pop_front() {
+            let failure = match student::ask(subject, stage, frames.clone()) {
+                Ok(poses) => {
+                    recorded.poses.extend(frames.zip(poses));
+                    continue;
                 }
+                Err(failure) => failure,
+            };
+            costly += usize::from(!matches!(failure, Failure::Panicked { .. }));
+            if frames.len() > 1 && costly < MOST_COSTLY {
+                frames.rev().for_each(|frame| ranges.push_front(frame..frame + 1));
+                continue;
+            }
+            let trouble = Arc::new(student::explain(subject, stage, frames.start, &failure));
+            recorded.troubles.insert(frames.start, trouble.clone());
+            if costly >= MOST_COSTLY {
+                // What is left would most likely end like this too.
+                recorded.standing.status = Status::Failed(trouble);
+                break;
             }
         }
         recorded
@@ -114,8 +134,13 @@ fn ranges(frames: BTreeSet<usize>, most: usize) -> Vec<Range<usize>> {
 }
 
 impl Answers for Recorded {
-    fn standing(&self, _: usize) -> Standing {
-        self.standing.clone()
+    fn standing(&self, frame: usize) -> Standing {
+        let status = match self.troubles.get(&frame) {
+            Some(trouble) => Status::Failed(trouble.clone()),
+            None if self.poses.contains_key(&frame) => Status::Answered,
+            None => self.standing.status.clone(),
+        };
+        Standing { status, ..self.standing.clone() }
     }
 
     fn posed(&self, frame: usize) -> Option<&PosedFrame> {
@@ -158,20 +183,36 @@ mod tests {
     }
 
     #[test]
-    fn what_was_answered_before_a_panic_is_kept() {
+    fn a_frame_that_fails_costs_no_other() {
         fn panics(joint: &skeleton::Joint, frame: &mut FrameCursor) -> glam::Quat {
             let angles = frame.take3();
-            // The angles of frame 5 and later.
-            if joint.is_root() && angles[0] >= 10.0 {
-                panic!("too much")
-            }
+            // The angles of frame 5.
+            assert!(!joint.is_root() || angles[0] != 10.0, "too much");
             glam::Quat::IDENTITY
         }
         let stage = Stage::new(samples::chain(9, 1.0), PositionChannels::Replace);
         let functions = FkFunctions { local_quaternion: panics, ..solutions::FK };
-        let asked = Recorded::ask(&mut InProcess(Functions::Fk(functions)), &stage, [1, 2, 6, 7]);
-        assert_eq!(asked.poses.keys().copied().collect::<Vec<_>>(), [1, 2]);
-        let Status::Failed(trouble) = asked.standing.status else { panic!() };
+        let asked = Recorded::ask(&mut InProcess(Functions::Fk(functions)), &stage, 2..8);
+        assert_eq!(asked.poses.keys().copied().collect::<Vec<_>>(), [2, 3, 4, 6, 7]);
+        assert_eq!(asked.standing(4).status, Status::Answered);
+        let Status::Failed(trouble) = asked.standing(5).status else { panic!() };
         assert!(trouble.headline.contains("too much"));
+        assert!(trouble.details[0].contains("at joint Hips, in frame 5"), "{trouble:?}");
+    }
+
+    #[test]
+    fn loops_and_crashes_are_not_met_again_and_again() {
+        struct Crashes(usize);
+        impl Subject for Crashes {
+            fn ask(&mut self, _: &exam::Question, _: std::time::Duration) -> Result<exam::Answer, Failure> {
+                self.0 += 1;
+                Err(Failure::Crashed { how: "bang".into() })
+            }
+        }
+        let stage = Stage::new(samples::chain(900, 1.0), PositionChannels::Replace);
+        let mut subject = Crashes(0);
+        let asked = Recorded::ask(&mut subject, &stage, 0..900);
+        assert!(subject.0 < 30, "{}", subject.0);
+        assert!(matches!(asked.standing(899).status, Status::Failed(_)));
     }
 }

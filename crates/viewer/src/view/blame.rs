@@ -76,9 +76,9 @@ fn own(case: &Case, joint: &Joint) -> Option<Blame> {
     let expected_local = right_local(case.skeleton, case.angles, joint.id);
     let position = case.local_positions.get(joint.id.0).copied().unwrap_or(joint.offset);
     let moved = (solutions::FK.global_position)(joint, position, case.given);
-    // NaN is not near anything.
     let near = given.position.distance(moved) <= POSITION_TOLERANCE * case.size;
-    let third = !near;
+    // What is made of no numbers is handed on, and not made here.
+    let third = !near && (given.position.is_finite() || moved.is_finite());
 
     let local = case.locals.and_then(|locals| locals.get(joint.id.0)).map(|answer| answer.rotation);
     let turned = |local| (solutions::FK.global_quaternion)(joint, local, case.given);
@@ -99,7 +99,7 @@ fn same(a: Quat, b: Quat) -> bool {
     let unit = |q: Quat| (q.length() - 1.0).abs() <= 1e-3;
     match unit(a) && unit(b) {
         true => angle_between(a, b) <= ROTATION_TOLERANCE,
-        false => a == b || (a - b).length() <= 1e-4 * b.length(),
+        false => (a - b).length() <= 1e-4 * b.length() || !(a.is_finite() || b.is_finite()),
     }
 }
 
@@ -172,6 +172,16 @@ mod tests {
     fn what_is_no_number_is_the_fault_of_the_part_that_made_it() {
         let nan = FkFunctions { global_position: |_, _, _| Vec3::NAN, ..solutions::FK };
         assert_eq!(judge(nan, 0, true), Blame::Own([false, false, true]));
+        let nan = FkFunctions { local_quaternion: |_, _| Quat::NAN, ..solutions::FK };
+        assert_eq!(judge(nan, 0, true), Blame::Own([true, false, false]), "the others hand it on");
+        let once = FkFunctions {
+            local_quaternion: |joint, frame| {
+                let right = (solutions::FK.local_quaternion)(joint, frame);
+                if joint.is_root() { Quat::NAN } else { right }
+            },
+            ..solutions::FK
+        };
+        assert_eq!(judge(once, 2, true), Blame::Above(JointId(0)));
         let not_unit =
             FkFunctions { local_quaternion: |_, _| Quat::from_xyzw(1.0, 2.0, 3.0, 4.0), ..solutions::FK };
         assert_eq!(judge(not_unit, 0, true), Blame::Own([true, false, false]));

@@ -26,6 +26,7 @@ use exam::fk::{LocalAnswer, PosedFrame};
 
 pub(crate) use ask::locals as ask_locals;
 pub use ask::{PATIENCE, ask};
+pub(crate) use narrow::explain;
 pub use rebuilder::Rebuilder;
 pub use version::Version;
 

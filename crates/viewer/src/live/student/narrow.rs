@@ -21,6 +21,12 @@ pub(super) struct Place {
     pub(super) part: Option<usize>,
 }
 
+/// What is wrong with frame `index`, which fails as `failure` says, and where.
+pub(crate) fn explain(subject: &mut impl Subject, stage: &Stage, index: usize, failure: &Failure) -> Trouble {
+    let place = find(subject, stage, index, failure);
+    trouble(stage, index, failure, place)
+}
+
 /// Finds the place at which frame `index` fails as `failure` says. What is not the same each time is not told.
 pub(super) fn find(subject: &mut impl Subject, stage: &Stage, index: usize, failure: &Failure) -> Place {
     let frame = stage.frame(index);

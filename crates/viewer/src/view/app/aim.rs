@@ -41,6 +41,9 @@ impl App {
     pub fn wheel(&mut self, notches: f32) {
         self.aim = Aim::Stay;
         self.camera.zoom(0.88f32.powf(notches.clamp(-20.0, 20.0)));
+        // Beyond this there is nothing to be seen.
+        let size = self.stage.size();
+        self.camera.distance = self.camera.distance.clamp(0.1 * size, 100.0 * size);
     }
 
     /// Looks from this side: the angles of [`Camera`], in degrees, and closer by the factor `zoom`.

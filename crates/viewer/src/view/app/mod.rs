@@ -46,6 +46,8 @@ pub struct Settings {
     pub points: bool,
     /// Whether the keys are explained.
     pub help: bool,
+    /// Whether it is a picture that nobody can do anything with, and not a window.
+    pub still: bool,
     /// Whether there are words, a legend, a scale and a bar in the picture at all.
     pub words: bool,
     /// How large texts are: 1 is the size for an ordinary display.
@@ -62,6 +64,7 @@ impl Default for Settings {
             follow: true,
             points: true,
             help: false,
+            still: false,
             words: true,
             text_scale: 1.0,
         }

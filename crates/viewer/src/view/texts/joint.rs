@@ -1,12 +1,13 @@
 //! Everything about the joint that the user looks at.
 
+use grading::PartState;
 use skeleton::JointId;
 
 use super::Facts;
 use super::number::{Rounded, Row, digits_for};
 use crate::scene::{Line, Off, Panel};
 use crate::view::app::Shown;
-use crate::view::blame::{Blame, Case, angles_of, blame};
+use crate::view::blame::{Blame, Case, angles_of, blame, right_local};
 
 pub fn write(facts: &Facts, panel: &mut Panel) {
     let Some(id) = facts.app.selected().map(JointId) else { return };
@@ -40,6 +41,16 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
             panel.add(Line::Key("position"), Row(&position, digits));
         }
         Shown::Student(_) => {
+            if facts.standing.is_some_and(|standing| !standing.current) {
+                panel.add(Line::Quiet, "yours: of your last version that worked");
+            }
+            let locals = facts.student_locals().and_then(|locals| locals.get(id.0));
+            if let Some(local) = locals {
+                let right = right_local(skeleton, facts.angles, id);
+                panel.add(Line::Text, "local rotation (x, y, z, w)");
+                panel.add(Line::Key("yours"), Row(&local.rotation.to_array(), 4));
+                panel.add(Line::Key("expected"), Row(&right.to_array(), 4));
+            }
             panel.add(Line::Text, "global rotation (x, y, z, w)");
             panel.add(Line::Key("yours"), Row(&given.rotation.to_array(), 4));
             panel.add(Line::Key("expected"), Row(&rotation, 4));
@@ -47,7 +58,9 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
             panel.add(Line::Key("yours"), Row(&given.position.to_array(), digits));
             panel.add(Line::Key("expected"), Row(&position, digits));
             let off = given.position.distance(expected.position);
-            if Off::by(off / stage.size()) > Off::Right {
+            if off.is_nan() {
+                panel.add(Line::Key("off by"), "nobody knows how much: NaN is no number");
+            } else if Off::by(off / stage.size()) > Off::Right {
                 let percent = Rounded(f64::from(off / stage.size()) * 100.0);
                 let off = Rounded(f64::from(off));
                 panel.add(Line::Key("off by"), format_args!("{off}, that is {percent} % of the figure"));
@@ -59,7 +72,7 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
 
 /// Which part is to blame.
 fn verdict(facts: &Facts, joint: JointId, panel: &mut Panel) {
-    let (Some(given), Shown::Student(answers)) = (facts.solid, facts.shown) else { return };
+    let Some(given) = facts.solid else { return };
     if facts.standing.is_some_and(|standing| !standing.current) {
         return;
     }
@@ -70,12 +83,22 @@ fn verdict(facts: &Facts, joint: JointId, panel: &mut Panel) {
         angles: facts.angles,
         local_positions: facts.local_positions,
         given,
-        locals: answers.locals(facts.app.frame()),
+        locals: facts.student_locals(),
         size: stage.size(),
     };
     match blame(&case, joint) {
         Blame::Nobody => panel.add(Line::Right, "right"),
-        Blame::Own(parts) => panel.add(Line::Trouble, own(parts)),
+        Blame::Own(parts) => {
+            let board = facts.standing.and_then(|standing| standing.board.as_ref());
+            let begun = |part: usize| {
+                let row = board.and_then(|board| board.rows.get(part));
+                row.is_none_or(|row| row.state != PartState::NotStarted)
+            };
+            match [0, 1, 2].map(|part| parts[part] && begun(part)) {
+                [false, false, false] => panel.add(Line::Quiet, "not right yet: not all parts are started"),
+                begun => panel.add(Line::Trouble, own(begun)),
+            }
+        }
         Blame::RotationOf => {
             panel.add(Line::Trouble, "part 1 or part 2 is to blame: asking part 1 by itself…")
         }

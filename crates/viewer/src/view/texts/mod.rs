@@ -8,7 +8,7 @@ mod state;
 
 use std::fmt::Write;
 
-use exam::fk::PosedFrame;
+use exam::fk::{LocalAnswer, PosedFrame};
 use glam::Vec3;
 use skeleton::Pose;
 
@@ -43,6 +43,12 @@ pub struct Facts<'a> {
 }
 
 impl Facts<'_> {
+    /// What the student's part 1 made of every joint in this frame, where it is known.
+    fn student_locals(&self) -> Option<&[LocalAnswer]> {
+        let Shown::Student(answers) = self.shown else { return None };
+        answers.locals(self.app.frame()).filter(|_| self.standing.is_some_and(|standing| standing.current))
+    }
+
     /// Whether the picture has at least this much room.
     fn has_room(&self, width: f32, height: f32) -> bool {
         self.size.0 >= width && self.size.1 >= height
@@ -58,15 +64,18 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) {
         return help(facts, panels);
     }
     // A figure that is covered by words is of no use.
-    let room = facts.has_room(420.0, 300.0);
+    let (room, roomy) = (facts.has_room(300.0, 300.0), facts.has_room(800.0, 450.0));
+    if settings.points && room {
+        let corner = if roomy { Corner::TopRight } else { Corner::BottomLeft };
+        points::write(facts, begin(panels, corner));
+    }
     if facts.app.selected().is_some() && room {
         joint::write(facts, begin(panels, Corner::TopRight));
     }
-    if settings.points && room {
-        points::write(facts, begin(panels, Corner::TopRight));
+    if !settings.still {
+        begin(panels, Corner::BottomRight).add(Line::Key("h"), "help");
     }
-    begin(panels, Corner::BottomRight).add(Line::Key("h"), "help");
-    if facts.has_room(800.0, 450.0) {
+    if roomy {
         legend::write(facts, begin(panels, Corner::BottomLeft));
     }
 }

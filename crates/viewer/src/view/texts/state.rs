@@ -60,6 +60,9 @@ fn frame(facts: &Facts, panel: &mut Panel) {
                 Rounded(1.0 / seconds)
             ),
         ),
+        false if facts.app.settings.still => {
+            panel.add(Line::Text, format_args!("frame {frame} / {count}    {time:.2} s"));
+        }
         false => panel.add(Line::Text, format_args!("frame {frame} / {count}    {time:.2} s    paused")),
     }
     let speed = Rounded(player.speed());
