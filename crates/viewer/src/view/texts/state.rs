@@ -88,18 +88,18 @@ fn functions(facts: &Facts, panel: &mut Panel) {
         Status::Failed(trouble) => {
             panel.add(Line::Trouble, &trouble.headline);
             trouble.details.iter().for_each(|line| panel.add(Line::Trouble, line));
-            panel.add(
-                Line::Text,
-                if shown { "Mend it and save: this window follows." } else { ONLY_THE_GOAL },
-            );
+            if !shown {
+                panel.add(Line::Text, "Only the goal is shown.");
+            }
+            if !facts.app.settings.still {
+                panel.add(Line::Text, "Mend it and save: this window follows.");
+            }
         }
     }
     if shown && !standing.current {
         panel.add(Line::Quiet, "pale: the figure of your last version that worked");
     }
 }
-
-const ONLY_THE_GOAL: &str = "Only the goal is shown. Mend it and save: this window follows.";
 
 /// What cannot be seen of the figure to look at.
 fn undrawn(facts: &Facts, panel: &mut Panel) {

@@ -102,3 +102,21 @@ fn without_words_there_is_nothing_but_the_scene() {
     let scene = app.scene(Shown::Reference, SIZE);
     assert!(scene.panels.is_empty() && scene.timeline.is_none() && scene.scale_bar.is_none());
 }
+
+#[test]
+fn a_picture_speaks_of_no_window_and_of_no_keys() {
+    let mut app = app(5);
+    let failed =
+        Status::Failed(Arc::new(Trouble { headline: "your code panicked".into(), details: Vec::new() }));
+    let recorded = Recorded::new(failed);
+    let told = |app: &mut App| words(&app.scene(Shown::Student(&recorded), SIZE));
+    let window = told(&mut app);
+    assert!(window.contains("this window follows") && window.contains("paused") && window.contains("h help"));
+    app.settings.still = true;
+    let picture = told(&mut app);
+    assert!(
+        picture.contains("your code panicked") && picture.contains("Only the goal is shown."),
+        "{picture}"
+    );
+    assert!(["window", "paused", "help"].iter().all(|word| !picture.contains(word)), "{picture}");
+}
