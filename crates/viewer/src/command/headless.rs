@@ -90,7 +90,8 @@ impl Studio {
                 Err(trouble) => Recorded::new(Status::Failed(trouble.clone().into())),
                 Ok(worker) => self.record(worker, motion),
             };
-            tell(&recorded);
+            let shown = |frame: &usize| self.gallery.frame_at_the_time_of(0, *frame, motion);
+            tell(&recorded, self.frames.iter().map(shown));
             self.answers.push(recorded);
         }
         if let Ok(worker) = &mut worker {
@@ -216,8 +217,9 @@ fn choose(arguments: &Arguments, output: &Output, first: &App) -> Result<(Vec<us
     })
 }
 
-/// Says in the terminal what is wrong with the student's functions, if anything is.
-fn tell(recorded: &Recorded) {
+/// Says in the terminal what is wrong with the student's functions, if anything is, and what that means for the frames that
+/// become pictures. Others are asked for their traces.
+fn tell(recorded: &Recorded, mut frames: impl Iterator<Item = usize>) {
     let general = match &recorded.standing.status {
         Status::Failed(trouble) => Some(trouble),
         _ => None,
@@ -225,7 +227,10 @@ fn tell(recorded: &Recorded) {
     let Some(trouble) = recorded.troubles.values().next().or(general) else { return };
     let shown = match recorded.poses.is_empty() {
         true => "the picture shows only the goal",
-        false => "where that is so, only the goal is shown",
+        false if frames.any(|frame| !recorded.poses.contains_key(&frame)) => {
+            "where that is so, only the goal is shown"
+        }
+        false => "traces have gaps where that is so",
     };
     eprintln!("{}: {shown}", trouble.headline);
     if !trouble.is_in_terminal() {
