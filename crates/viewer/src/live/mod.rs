@@ -67,15 +67,13 @@ impl Live {
         Live { student, watcher, motions }
     }
 
-    /// Takes what has come, and gives the motions (from 0) whose files were saved: these are to
-    /// be read again and handed to [`replace_stage`](Live::replace_stage). `shown` is the frame that is shown of each
-    /// motion. Never waits; to be called for every picture.
+    /// Takes what has come, and gives the motions (from 0) whose files were saved: these are to be read again and handed to
+    /// [`replace_stage`](Live::replace_stage). `shown` is the frame that is shown of each motion. Never waits; to be called
+    /// for every picture.
     pub fn update(&mut self, shown: &[usize]) -> Vec<usize> {
-        let changes: Vec<Change> = self.watcher.changes().collect();
+        let saved = self.watcher.saved_motions(&self.motions);
         self.student.update(shown);
-        let is_saved = |path: &PathBuf| changes.contains(&Change::Motion(path.clone()));
-        let motions = self.motions.iter().enumerate();
-        motions.filter(|(_, path)| is_saved(path)).map(|(index, _)| index).collect()
+        saved
     }
 
     /// Motion `motion` (from 0) was read again.

@@ -47,19 +47,15 @@ impl Screen {
         size: (usize, usize),
     ) -> bool {
         let size = Canvas::clamped(size);
-        let tiles = gallery.tiles(size);
+        let count = gallery.tiles(size).count();
         // With other tiles than before, some of the picture may belong to none.
-        let resized = self.canvas.size() != size || gallery.tiles(size).count() != self.parts.len();
+        let resized = self.canvas.size() != size || count != self.parts.len();
         if resized {
             self.canvas = Canvas::new(size.0, size.1);
+            self.parts.resize_with(count, Part::default);
         }
-        let mut count = 0;
         let mut changed = resized;
-        for (index, tile) in tiles.enumerate() {
-            count += 1;
-            if index == self.parts.len() {
-                self.parts.push(Part::default());
-            }
+        for (index, tile) in gallery.tiles(size).enumerate() {
             let part = &mut self.parts[index];
             let Some(app) = gallery.apps_mut().get_mut(tile.motion) else { continue };
             app.fill(&mut part.next, shown(tile.motion), tile.size);
@@ -76,7 +72,6 @@ impl Screen {
                 self.draw_part(index, tile);
             }
         }
-        self.parts.truncate(count);
         changed
     }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::thread;
 
-use crate::live::watch::{Baseline, Change, Watcher};
+use crate::live::watch::{Baseline, Watcher};
 use crate::live::{Live, OfMotion};
 use crate::motion::source::{Loaded, Source};
 use crate::view::app::{App, Shown};
@@ -28,8 +28,8 @@ type Reading = Result<Loaded, parser::bvh::FileError>;
 enum Functions {
     /// The student's. They watch the motions' files too.
     Student(Box<Live>),
-    /// The reference's.
-    Reference(Watcher),
+    /// The reference's. These files are watched.
+    Reference(Watcher, Vec<PathBuf>),
 }
 
 impl Session {
@@ -42,7 +42,10 @@ impl Session {
                 let stages = gallery.apps().iter().map(|app| app.stage().clone()).collect();
                 Functions::Student(Box::new(Live::open(workspace, stages, files)))
             }
-            None => Functions::Reference(Watcher::start(Baseline::of_motions(&files), |_| {})),
+            None => {
+                let watcher = Watcher::start(Baseline::of_motions(&files), |_| {});
+                Functions::Reference(watcher, files)
+            }
         };
         let readings = sources.iter().map(|_| None).collect();
         Session { gallery, sources, readings, functions }
@@ -60,12 +63,7 @@ impl Session {
                 }
                 live.update(&shown)
             }
-            Functions::Reference(watcher) => {
-                let changes: Vec<Change> = watcher.changes().collect();
-                let is_saved =
-                    |motion: &usize| changes.contains(&Change::Motion(self.sources[*motion].path.clone()));
-                (0..self.sources.len()).filter(is_saved).collect()
-            }
+            Functions::Reference(watcher, files) => watcher.saved_motions(files),
         };
         for motion in saved {
             self.readings[motion] = Some(read_in_background(self.sources[motion].clone()));
@@ -142,7 +140,7 @@ impl Functions {
     fn answers(&self, count: usize) -> Vec<OfMotion<'_>> {
         match self {
             Functions::Student(live) => (0..count).map(|motion| live.of(motion)).collect(),
-            Functions::Reference(_) => Vec::new(),
+            Functions::Reference(..) => Vec::new(),
         }
     }
 }

@@ -52,9 +52,10 @@ pub fn open(begin: impl FnOnce() -> Session, size: (usize, usize)) -> Result<(),
 
         let size = Canvas::clamped(window.get_size());
         session.draw(&mut screen, size);
-        if title != session.gallery.window_title() {
-            title = session.gallery.window_title();
-            window.set_title(&title);
+        let now = session.gallery.window_title();
+        if title != now {
+            window.set_title(&now);
+            title = now;
         }
         // Always with the picture, changed or not: some systems paint from it while they look for events.
         let presented = window.update_with_buffer(screen.canvas().pixels(), size.0, size.1);

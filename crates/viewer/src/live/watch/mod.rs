@@ -103,6 +103,13 @@ impl Watcher {
         self.changes.try_iter()
     }
 
+    /// Which of `motions` are saved anew according to what has [changed](Watcher::changes), counted from 0.
+    pub fn saved_motions(&mut self, motions: &[PathBuf]) -> Vec<usize> {
+        let changes: Vec<Change> = self.changes().collect();
+        let is_saved = |index: &usize| changes.contains(&Change::Motion(motions[*index].clone()));
+        if changes.is_empty() { Vec::new() } else { (0..motions.len()).filter(is_saved).collect() }
+    }
+
     /// What the user should know about how changes are noticed, if anything.
     pub fn note(&self) -> Option<&str> {
         self.note.as_deref()

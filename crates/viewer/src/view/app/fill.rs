@@ -83,13 +83,11 @@ impl App {
         let worst = scene.figures.last().map_or(Off::Right, worst);
 
         if settings.traces {
-            self.trace(scene, shown, &mut memory.frame, &mut memory.past);
+            self.trace(scene, shown, &mut memory.past_frame, &mut memory.past);
         }
         scene.timeline = self.timeline();
         if settings.words {
             scale_bar(scene, size);
-            // Tracing has used this memory for other frames.
-            stage.read_frame(frame, &mut memory.frame);
             let facts = Facts {
                 app: self,
                 shown,

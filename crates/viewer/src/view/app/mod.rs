@@ -95,6 +95,7 @@ pub struct App {
 struct Memory {
     frame: Frame,
     reference: Pose,
+    past_frame: Frame,
     past: Pose,
     places: Vec<Vec3>,
 }
