@@ -10,7 +10,11 @@ use std::{env, fs};
 use solutions::template::{TemplateError, strip};
 
 /// The exercises: the solution, the template, and the student's file.
-const EXERCISES: [[&str; 3]; 1] = [["src/fk.rs", "templates/fk.rs", "../exercises/fk/src/fk.rs"]];
+const EXERCISES: [[&str; 3]; 3] = [
+    ["src/fk.rs", "templates/fk.rs", "../exercises/fk/src/fk.rs"],
+    ["src/interpolation.rs", "templates/interpolation.rs", "../exercises/interpolation/src/interpolation.rs"],
+    ["src/keyframes.rs", "templates/keyframes.rs", "../exercises/keyframes/src/keyframes.rs"],
+];
 
 #[test]
 fn templates_are_the_solutions_without_their_blocks() {

@@ -10,6 +10,8 @@
 
 pub mod fk;
 mod in_process;
+pub mod interpolation;
+pub mod keyframes;
 mod process;
 mod stopper;
 mod stream;

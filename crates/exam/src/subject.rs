@@ -4,15 +4,41 @@ use std::fmt;
 use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
-use skeleton::FkFunctions;
+use skeleton::{FkFunctions, InterpolationFunctions, KeyframesFunctions, MakeClip};
 
-use crate::fk;
+use crate::{fk, interpolation, keyframes};
 
 /// The functions of one exercise, as a student wrote them.
 #[derive(Clone, Copy, Debug)]
 pub enum Functions {
     /// Forward kinematics.
     Fk(FkFunctions),
+    /// Interpolation.
+    Interpolation(InterpolationFunctions),
+    /// Keyframes.
+    Keyframes {
+        /// The student's functions.
+        functions: KeyframesFunctions,
+        /// What poses whole motions for them, where they are asked about any.
+        make_clip: Option<MakeClip>,
+    },
+}
+
+impl Functions {
+    /// The functions of the exercise on keyframes.
+    pub const fn keyframes(functions: KeyframesFunctions) -> Functions {
+        Functions::Keyframes { functions, make_clip: None }
+    }
+
+    /// The same functions, which can also be asked about whole motions ([`keyframes::Question::Motion`]).
+    pub const fn with_clips(self, make_clip: MakeClip) -> Functions {
+        match self {
+            Functions::Keyframes { functions, .. } => {
+                Functions::Keyframes { functions, make_clip: Some(make_clip) }
+            }
+            Functions::Fk(_) | Functions::Interpolation(_) => self,
+        }
+    }
 }
 
 /// A question of any exercise.
@@ -20,6 +46,10 @@ pub enum Functions {
 pub enum Question {
     /// Forward kinematics.
     Fk(fk::Question),
+    /// Interpolation.
+    Interpolation(interpolation::Question),
+    /// Keyframes.
+    Keyframes(keyframes::Question),
 }
 
 /// The answer to a [`Question`] of the same exercise.
@@ -27,6 +57,12 @@ pub enum Question {
 pub enum Answer {
     /// Forward kinematics.
     Fk(fk::Answer),
+    /// Interpolation.
+    Interpolation(interpolation::Answer),
+    /// Keyframes.
+    Keyframes(keyframes::Answer),
+    /// These functions are of another exercise.
+    NotMine,
 }
 
 impl Question {
@@ -34,12 +70,21 @@ impl Question {
     pub fn ask(&self, functions: &Functions) -> Answer {
         match (self, functions) {
             (Question::Fk(question), Functions::Fk(functions)) => Answer::Fk(question.ask(functions)),
+            (Question::Interpolation(question), Functions::Interpolation(functions)) => {
+                Answer::Interpolation(question.ask(functions))
+            }
+            (Question::Keyframes(question), Functions::Keyframes { functions, make_clip }) => {
+                Answer::Keyframes(question.ask(functions, *make_clip))
+            }
+            (Question::Fk(_) | Question::Interpolation(_) | Question::Keyframes(_), _) => Answer::NotMine,
         }
     }
 
     pub(crate) fn answer_limit(&self) -> usize {
         match self {
             Question::Fk(question) => question.answer_limit(),
+            Question::Interpolation(question) => question.answer_limit(),
+            Question::Keyframes(question) => question.answer_limit(),
         }
     }
 }

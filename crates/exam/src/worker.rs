@@ -60,7 +60,7 @@ fn give_up(error: &io::Error) -> ! {
     // There is nobody left to tell when this fails too.
     let _ = writeln!(
         io::stderr(),
-        "This program only answers questions: run `cargo view` or `cargo test -p fk` instead. ({error})"
+        "This program only answers questions: run `cargo view` or `cargo test` instead. ({error})"
     );
     process::exit(2)
 }

@@ -1,9 +1,9 @@
 //! An exam: the rubric, filled with questions and right answers.
 
-use exam::{Answer, Functions, Question};
-use skeleton::Skeleton;
+use std::fmt;
 
-use crate::{Accepted, CheckRubric, Misconception, PartRubric, Rubric};
+use crate::{Accepted, CheckRubric, Misconception, PartRubric, Rubric, WholeReport};
+use exam::{Answer, Functions, Question};
 
 /// The questions of one exercise from one seed.
 #[derive(Debug)]
@@ -71,10 +71,14 @@ pub struct Difference {
 /// The question that chains all parts over a motion. It gives no points: it shows what the parts do together.
 #[derive(Debug)]
 pub struct WholeMotion {
-    /// The skeleton that moves.
-    pub skeleton: Skeleton,
-    /// All frames in one question.
+    /// All of it in one question.
     pub question: Question,
-    /// The right poses.
-    pub expected: Answer,
+    /// What tells how good an answer is.
+    pub judge: Box<dyn Judge>,
+}
+
+/// Judges what all parts have made of a motion.
+pub trait Judge: fmt::Debug + Send + Sync {
+    /// Compares the answer with the right one.
+    fn judge(&self, answer: &Answer) -> WholeReport;
 }

@@ -6,7 +6,7 @@ use exam::{Answer, Failure, Functions, Subject};
 
 use crate::{
     Case, CheckPaper, CheckReport, CheckState, FirstCase, Misconception, Named, PartPaper, PartReport,
-    PartState,
+    PartState, WholeMotion, WholeReport,
 };
 
 /// Asks `subject` everything about one part. Each check has `limit` for all its cases together; when a case fails or
@@ -30,6 +30,14 @@ pub fn grade_part(subject: &mut dyn Subject, part: &PartPaper, limit: Duration) 
     let is_started = state != PartState::NotStarted;
     let named = if is_started { recognise(part, &answers, &checks) } else { Vec::new() };
     PartReport { rubric: part.rubric, state, named, checks, remark }
+}
+
+/// Asks `subject` what all parts together make of a motion.
+pub fn grade_whole_motion(subject: &mut dyn Subject, whole: &WholeMotion, limit: Duration) -> WholeReport {
+    match subject.ask(&whole.question, limit) {
+        Ok(answer) => whole.judge.judge(&answer),
+        Err(failure) => WholeReport::failed(failure),
+    }
 }
 
 /// How long a check may take when another one had `limit` and was not ready.

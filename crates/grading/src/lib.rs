@@ -9,8 +9,11 @@
 
 mod dice;
 mod exam_paper;
+mod exercises;
 pub mod fk;
 mod grade;
+pub mod interpolation;
+pub mod keyframes;
 mod misconception;
 mod reference;
 mod report;
@@ -19,8 +22,9 @@ pub mod scoreboard;
 mod self_grading;
 mod tables;
 
-pub use exam_paper::{Case, CheckPaper, Difference, Exam, PartPaper, WholeMotion};
-pub use grade::{after_time_out, grade_part};
+pub use exam_paper::{Case, CheckPaper, Difference, Exam, Judge, PartPaper, WholeMotion};
+pub use exercises::{EXERCISES, Exercise};
+pub use grade::{after_time_out, grade_part, grade_whole_motion};
 pub use misconception::{Accepted, Misconception};
 pub use reference::{Reference, Solutions};
 pub use report::{

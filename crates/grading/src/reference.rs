@@ -16,6 +16,8 @@ impl Reference for Solutions {
     fn answer(&self, question: &Question) -> Answer {
         match question {
             Question::Fk(_) => question.ask(&Functions::Fk(solutions::FK)),
+            Question::Interpolation(_) => question.ask(&Functions::Interpolation(solutions::INTERPOLATION)),
+            Question::Keyframes(_) => question.ask(&Functions::keyframes(solutions::KEYFRAMES)),
         }
     }
 }

@@ -125,10 +125,19 @@ impl PartReport {
 /// How the parts do together over a whole motion.
 #[derive(Clone, Debug)]
 pub struct WholeReport {
-    /// How many frames were asked.
+    /// How many frames were answered.
     pub frames: usize,
+    /// What is said when all is right.
+    pub praise: String,
     /// Nothing when all is right.
     pub trouble: Option<Trouble>,
+}
+
+impl WholeReport {
+    /// There is no answer, or none that could be compared.
+    pub fn failed(failure: Failure) -> WholeReport {
+        WholeReport { frames: 0, praise: String::new(), trouble: Some(Trouble::Failed(failure)) }
+    }
 }
 
 /// What is wrong when the parts work together.
@@ -136,6 +145,13 @@ pub struct WholeReport {
 pub enum Trouble {
     /// The functions gave no poses.
     Failed(Failure),
+    /// The answer differs from the right one.
+    Different {
+        /// How, in one sentence.
+        summary: String,
+        /// What to look at, sentence by sentence.
+        details: Vec<String>,
+    },
     /// Some joint is not where it belongs.
     Off {
         /// The joint that is farthest off, how far, and in which frame.

@@ -7,6 +7,8 @@ pub struct Rubric {
     pub exercise: &'static str,
     /// What the exercise is about.
     pub title: &'static str,
+    /// What to do when all is right, for example "run `cargo view`".
+    pub invitation: &'static str,
     /// The parts in order.
     pub parts: &'static [PartRubric],
 }

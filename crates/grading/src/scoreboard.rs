@@ -26,9 +26,6 @@ const WRONG: Style = AnsiColor::Yellow.on_default().bold();
 const STRONG: Style = Style::new().bold();
 const FAINT: Style = Style::new().dimmed();
 
-/// What is said at the end when all is right.
-pub const INVITATION: &str = " Well done: run `cargo view` and see it run.";
-
 /// Columns of text.
 const WIDTH: usize = 88;
 
@@ -78,6 +75,11 @@ impl Scoreboard<'_> {
         Summary(self)
     }
 
+    /// What is said at the end when all is right.
+    pub fn well_done(&self) -> String {
+        format!(" Well done: {}.", self.rubric.invitation)
+    }
+
     fn write_points(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f)?;
         self.rows().iter().try_for_each(|row| writeln!(f, "  {row}"))?;
@@ -87,7 +89,7 @@ impl Scoreboard<'_> {
         }
         let (points, of) = self.points();
         let all_right = points == of && self.parts.len() == self.rubric.parts.len();
-        let all = if all_right { INVITATION } else { "" };
+        let all = if all_right { self.well_done() } else { String::new() };
         writeln!(f, "{}{all}", Styled(STRONG, &self.verdict()))
     }
 }
@@ -241,25 +243,25 @@ fn write_whole(f: &mut fmt::Formatter<'_>, whole: &WholeReport, parts: &[PartRep
     match &whole.trouble {
         None => {
             writeln!(f, "{}", heading("right"))?;
-            let frames = whole.frames;
-            wrapped(
-                f,
-                2,
-                &format!("With your three functions every joint is in its place in all {frames} frames."),
-            )
+            wrapped(f, 2, &whole.praise)
         }
         Some(Trouble::Failed(failure)) => {
             writeln!(f, "{}", heading("could not be computed"))?;
             wrapped(f, 2, &failure.to_string())
         }
         // A tree full of joints that nobody has begun to place would only be in the way.
-        Some(Trouble::Off { .. }) if parts.iter().any(|part| part.state == PartState::NotStarted) => {
+        Some(_) if parts.iter().any(|part| part.state == PartState::NotStarted) => {
             writeln!(f, "{}", heading("not yet"))?;
             wrapped(
                 f,
                 2,
                 "When all three parts are begun, this shows what they do together. It gives no points.",
             )
+        }
+        Some(Trouble::Different { summary, details }) => {
+            writeln!(f, "{}", heading("off"))?;
+            wrapped(f, 2, summary)?;
+            details.iter().try_for_each(|line| wrapped(f, 2, line))
         }
         Some(Trouble::Off { worst, first, frame, angles, tree }) => {
             writeln!(f, "{}", heading("off"))?;

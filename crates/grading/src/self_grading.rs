@@ -9,7 +9,9 @@ use exam::{Failure, Functions, Subject, WorkerProcess};
 use libtest_mimic::{Arguments, Failed, Trial};
 
 use crate::scoreboard::Scoreboard;
-use crate::{Exam, PUBLIC_SEED, PartReport, Solutions, WholeReport, fk, grade_part};
+use crate::{
+    Exam, Exercise, PUBLIC_SEED, PartReport, Solutions, WholeReport, grade_part, grade_whole_motion,
+};
 
 /// How long a check may take when students grade themselves.
 pub const CHECK_LIMIT: Duration = Duration::from_secs(10);
@@ -33,7 +35,7 @@ impl Graded {
         };
         let parts = exam.parts.iter().map(&mut part).collect();
         subject.restart();
-        Graded { parts, whole: fk::grade_whole_motion(subject, &exam.whole_motion, limit) }
+        Graded { parts, whole: grade_whole_motion(subject, &exam.whole_motion, limit) }
     }
 
     /// The text that [`self_grade`] prints.
@@ -54,9 +56,7 @@ pub fn self_grade(functions: Functions) -> ExitCode {
         exam::worker::serve(functions);
     }
     let arguments = Arguments::from_args();
-    let exam = Arc::new(match functions {
-        Functions::Fk(_) => fk::exam(PUBLIC_SEED, &Solutions),
-    });
+    let exam = Arc::new((Exercise::of(&functions).exam)(PUBLIC_SEED, &Solutions));
     let results = Arc::new(Results::default());
     let trials = trials(&exam, &results);
     let names: Vec<String> = trials.iter().map(|trial| trial.name().to_owned()).collect();
@@ -83,7 +83,7 @@ fn trials(exam: &Arc<Exam>, results: &Arc<Results>) -> Vec<Trial> {
     let whole = {
         let (exam, results) = (Arc::clone(exam), Arc::clone(results));
         Trial::test("whole_motion", move || {
-            let report = fk::grade_whole_motion(&mut worker()?, &exam.whole_motion, CHECK_LIMIT);
+            let report = grade_whole_motion(&mut worker()?, &exam.whole_motion, CHECK_LIMIT);
             let is_right = report.trouble.is_none();
             *lock(&results.whole) = Some(report);
             if is_right { Ok(()) } else { Err("the three parts do not yet work together: see below".into()) }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use grading::{fk, misconceptions_table, rubric_table};
+use grading::{EXERCISES, Exercise, misconceptions_table, rubric_table};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 fn workspace() -> PathBuf {
@@ -30,45 +30,62 @@ fn texts() -> BTreeMap<String, String> {
 
 #[test]
 fn tables_come_from_the_rubric() {
-    let rubric = rubric_table(&fk::RUBRIC);
-    let all = fk::RUBRIC.parts.iter().map(|part| (part, fk::misconceptions(part.id)));
-    let misconceptions = misconceptions_table(all);
-    for (file, name, table) in [
-        ("docs/fk.md", "rubric", &rubric),
-        ("docs/marking.md", "rubric", &rubric),
-        ("docs/marking.md", "misconceptions", &misconceptions),
-    ] {
-        let path = workspace().join(file);
-        let text = fs::read_to_string(&path).unwrap();
-        let (begin, end) = (format!("<!-- {name}: begin -->\n"), format!("<!-- {name}: end -->"));
-        let from = text.find(&begin).unwrap() + begin.len();
-        let to = text.find(&end).unwrap();
-        if env::var_os("FK_LAB_BLESS").is_some() {
-            fs::write(&path, format!("{}{table}{}", &text[..from], &text[to..])).unwrap();
-        } else {
-            assert_eq!(&text[from..to], table, "{file}");
+    for Exercise { rubric, misconceptions, .. } in &EXERCISES {
+        let points = rubric_table(rubric);
+        let all = rubric.parts.iter().map(|part| (part, misconceptions(part.id)));
+        let mistakes = misconceptions_table(all);
+        let name = rubric.exercise;
+        for (file, place, table) in [
+            (format!("docs/{name}.md"), "rubric".to_owned(), &points),
+            ("docs/marking.md".to_owned(), format!("{name} rubric"), &points),
+            ("docs/marking.md".to_owned(), format!("{name} misconceptions"), &mistakes),
+        ] {
+            check_table(&file, &place, table);
+        }
+    }
+}
+
+/// Between two comments in `file` stands this table.
+fn check_table(file: &str, place: &str, table: &str) {
+    let path = workspace().join(file);
+    let text = fs::read_to_string(&path).unwrap();
+    let (begin, end) = (format!("<!-- {place}: begin -->\n"), format!("<!-- {place}: end -->"));
+    let from = text.find(&begin).unwrap() + begin.len();
+    let to = text.find(&end).unwrap();
+    if env::var_os("FK_LAB_BLESS").is_some() {
+        fs::write(&path, format!("{}{table}{}", &text[..from], &text[to..])).unwrap();
+    } else {
+        assert_eq!(&text[from..to], table, "{file}");
+    }
+}
+
+/// The source of an exercise's solution.
+fn solution(exercise: &str) -> String {
+    fs::read_to_string(workspace().join(format!("solutions/src/{exercise}.rs"))).unwrap()
+}
+
+#[test]
+fn signatures_are_the_solutions() {
+    for Exercise { rubric, .. } in &EXERCISES {
+        let solution = solution(rubric.exercise);
+        let chapter = &texts()[&format!("docs/{}.md", rubric.exercise)];
+        let blocks = code_blocks(chapter);
+        let signatures: Vec<_> = blocks.iter().filter(|(kind, _)| kind == "rust,ignore").collect();
+        assert_eq!(signatures.len(), 3, "{}", rubric.exercise);
+        for (_, signature) in signatures {
+            assert!(solution.contains(&format!("{} {{", signature.trim_end())), "{signature}");
         }
     }
 }
 
 #[test]
-fn signatures_are_the_solutions() {
-    let solution = fs::read_to_string(workspace().join("solutions/src/fk.rs")).unwrap();
-    let chapter = &texts()["docs/fk.md"];
-    let blocks = code_blocks(chapter);
-    let signatures: Vec<_> = blocks.iter().filter(|(kind, _)| kind == "rust,ignore").collect();
-    assert_eq!(signatures.len(), 3);
-    for (_, signature) in signatures {
-        assert!(solution.contains(&format!("{} {{", signature.trim_end())), "{signature}");
-    }
-}
-
-#[test]
-fn points_in_the_students_file_are_the_rubrics() {
-    let solution = fs::read_to_string(workspace().join("solutions/src/fk.rs")).unwrap();
-    for (number, part) in (1..).zip(fk::RUBRIC.parts) {
-        let heading = format!("/// Part {number} ({} points): ", part.points());
-        assert!(solution.contains(&heading), "there is no {heading:?} in solutions/src/fk.rs");
+fn points_in_the_students_files_are_the_rubrics() {
+    for Exercise { rubric, .. } in &EXERCISES {
+        let solution = solution(rubric.exercise);
+        for (number, part) in (1..).zip(rubric.parts) {
+            let heading = format!("/// Part {number} ({} points): ", part.points());
+            assert!(solution.contains(&heading), "there is no {heading:?} in the solution");
+        }
     }
 }
 

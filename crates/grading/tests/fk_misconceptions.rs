@@ -5,7 +5,7 @@ use std::time::Duration;
 use exam::{Functions, InProcess};
 use grading::{
     CheckState, Exam, Misconception, PUBLIC_SEED, PartReport, PartRubric, PartState, Solutions, fk,
-    grade_part,
+    grade_part, grade_whole_motion,
 };
 use skeleton::FkFunctions;
 
@@ -64,8 +64,7 @@ fn a_short_pi_gets_all_points_and_a_remark() {
             let reports = reports(&exam, accepted.functions);
             assert_eq!(points(&reports), full_points(), "seed {seed}");
             assert_eq!(reports[0].remark, Some(accepted.remark), "seed {seed}");
-            let whole =
-                fk::grade_whole_motion(&mut InProcess(accepted.functions), &exam.whole_motion, NO_LIMIT);
+            let whole = grade_whole_motion(&mut InProcess(accepted.functions), &exam.whole_motion, NO_LIMIT);
             assert!(whole.trouble.is_none(), "seed {seed}");
         }
     }

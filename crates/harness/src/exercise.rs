@@ -20,14 +20,32 @@ pub struct Exercise {
 }
 
 /// All exercises.
-pub static EXERCISES: [Exercise; 1] = [Exercise {
-    name: "fk",
-    file: "fk.rs",
-    library: include_str!("../../../exercises/fk/src/lib.rs"),
-    template: include_str!("../../../solutions/templates/fk.rs"),
-    rubric: &grading::fk::RUBRIC,
-    exam: |seed| grading::fk::exam(seed, &Solutions),
-}];
+pub static EXERCISES: [Exercise; 3] = [
+    Exercise {
+        name: "fk",
+        file: "fk.rs",
+        library: include_str!("../../../exercises/fk/src/lib.rs"),
+        template: include_str!("../../../solutions/templates/fk.rs"),
+        rubric: &grading::fk::RUBRIC,
+        exam: |seed| grading::fk::exam(seed, &Solutions),
+    },
+    Exercise {
+        name: "interpolation",
+        file: "interpolation.rs",
+        library: include_str!("../../../exercises/interpolation/src/lib.rs"),
+        template: include_str!("../../../solutions/templates/interpolation.rs"),
+        rubric: &grading::interpolation::RUBRIC,
+        exam: |seed| grading::interpolation::exam(seed, &Solutions),
+    },
+    Exercise {
+        name: "keyframes",
+        file: "keyframes.rs",
+        library: include_str!("../../../exercises/keyframes/src/lib.rs"),
+        template: include_str!("../../../solutions/templates/keyframes.rs"),
+        rubric: &grading::keyframes::RUBRIC,
+        exam: |seed| grading::keyframes::exam(seed, &Solutions),
+    },
+];
 
 impl Exercise {
     /// The exercise of this name.

@@ -5,7 +5,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use exam::{Subject, WorkerProcess};
-use grading::{Exam, PartReport, PartState, WholeReport, after_time_out, fk, grade_part};
+use grading::{Exam, PartReport, PartState, WholeReport, after_time_out, grade_part, grade_whole_motion};
 use results::{Picture, Verdict};
 use sandbox::{Confinement, Limits, Sandbox};
 
@@ -98,7 +98,7 @@ impl Examiner<'_> {
             }
             parts.push(report);
         }
-        let whole = fk::grade_whole_motion(subject, &self.exam.whole_motion, patience);
+        let whole = grade_whole_motion(subject, &self.exam.whole_motion, patience);
         // Who has not answered for the whole motion will not answer for one frame of it.
         let picture = if whole.frames > 0 { self.picture(subject, patience) } else { None };
         Marked { parts, whole, picture }

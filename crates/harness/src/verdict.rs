@@ -144,6 +144,7 @@ fn whole_result(report: &WholeReport) -> Whole {
     let note = match &report.trouble {
         None => String::new(),
         Some(Trouble::Failed(failure)) => stopped(failure),
+        Some(Trouble::Different { summary, .. }) => summary.clone(),
         Some(Trouble::Off { worst, first, frame, .. }) => {
             format!("{worst}; in frame {frame} the first wrong joint is {first}")
         }

@@ -13,4 +13,3 @@ pub use misconceptions::{accepted, misconceptions};
 pub use paper::exam;
 pub use rubric::RUBRIC;
 pub use variants::TEMPLATE;
-pub use whole_motion::grade_whole_motion;

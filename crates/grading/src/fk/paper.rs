@@ -8,6 +8,7 @@ use skeleton::{Axis, Channel, Joint, Pose, RotationOrder, Skeleton, Transform};
 use super::compare::{self, quaternion, vector};
 use super::figure::{self, figure};
 use super::misconceptions::{accepted, misconceptions};
+use super::whole_motion::RightPoses;
 use super::{RUBRIC, TEMPLATE};
 use crate::dice::Dice;
 use crate::{Case, CheckPaper, Difference, Exam, PartPaper, Reference, WholeMotion};
@@ -200,7 +201,8 @@ impl Writer<'_> {
         let skeleton = self.skeleton.clone();
         let question = Question::Fk(FkQuestion::Poses { skeleton: skeleton.clone(), frames });
         let expected = self.reference.answer(&question);
-        WholeMotion { skeleton, question, expected }
+        let judge = Box::new(RightPoses { skeleton, question: question.clone(), expected });
+        WholeMotion { question, judge }
     }
 }
 

@@ -6,6 +6,7 @@ use crate::{CheckRubric, PartRubric, Rubric};
 pub static RUBRIC: Rubric = Rubric {
     exercise: "fk",
     title: "Forward kinematics",
+    invitation: "run `cargo view` and see it run",
     parts: &[
         PartRubric {
             id: "part1",

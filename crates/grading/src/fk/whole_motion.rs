@@ -1,41 +1,52 @@
 //! The three parts together, over a whole motion.
 
-use std::time::Duration;
-
 use exam::fk::{Answer as FkAnswer, PosedFrame};
-use exam::{Answer, Failure, Subject};
+use exam::{Answer, Failure, Question};
 use skeleton::{JointId, Skeleton, Transform};
 
 use super::compare::{POSITION_TOLERANCE, ROTATION_TOLERANCE, angle_between};
 use super::misconceptions::accepted;
-use crate::{TreeLine, Trouble, WholeMotion, WholeReport};
+use crate::{Judge, TreeLine, Trouble, WholeReport};
 
-/// Asks for all poses of the motion and looks for the joint where they begin to go wrong.
-pub fn grade_whole_motion(subject: &mut dyn Subject, whole: &WholeMotion, limit: Duration) -> WholeReport {
-    let got = match subject.ask(&whole.question, limit) {
-        Err(failure) => return WholeReport { frames: 0, trouble: Some(Trouble::Failed(failure)) },
-        Ok(answer) => answer,
-    };
-    let expected = poses(&whole.expected);
-    let Some(got) = poses_of(&got, expected) else {
-        let why = "the poses do not fit the skeleton".to_owned();
-        return WholeReport { frames: 0, trouble: Some(Trouble::Failed(Failure::Unreadable { why })) };
-    };
-    let exact = Comparison { skeleton: &whole.skeleton, size: whole.skeleton.extent(), expected, got };
-    if exact.first_wrong().is_none() {
-        return WholeReport { frames: expected.len(), trouble: None };
+/// Knows the right poses of a motion, and looks for the joint where others begin to go wrong.
+#[derive(Debug)]
+pub(super) struct RightPoses {
+    pub skeleton: Skeleton,
+    pub question: Question,
+    pub expected: Answer,
+}
+
+impl Judge for RightPoses {
+    fn judge(&self, answer: &Answer) -> WholeReport {
+        let expected = poses(&self.expected);
+        let Some(got) = poses_of(answer, expected) else {
+            let why = "the poses do not fit the skeleton".to_owned();
+            return WholeReport::failed(Failure::Unreadable { why });
+        };
+        let report = |trouble| {
+            let frames = expected.len();
+            let praise =
+                format!("With your three functions every joint is in its place in all {frames} frames.");
+            WholeReport { frames, praise, trouble }
+        };
+        let exact = Comparison { skeleton: &self.skeleton, size: self.skeleton.extent(), expected, got };
+        if exact.first_wrong().is_none() {
+            return report(None);
+        }
+        // The ways that part 1 accepts are accepted here too: what counts is the one under which all goes well for longest.
+        let ways: Vec<Answer> =
+            accepted("part1").iter().map(|way| self.question.ask(&way.functions)).collect();
+        let by_ways = ways.iter().map(|answer| Comparison { expected: poses(answer), ..exact });
+        let best =
+            by_ways.chain([exact]).max_by_key(|way| way.first_wrong().unwrap_or((usize::MAX, JointId(0))));
+        report(best.and_then(|comparison| comparison.trouble()))
     }
-    // The ways that part 1 accepts are accepted here too: what counts is the one under which all goes well for longest.
-    let ways: Vec<Answer> = accepted("part1").iter().map(|way| whole.question.ask(&way.functions)).collect();
-    let by_ways = ways.iter().map(|answer| Comparison { expected: poses(answer), ..exact });
-    let best = by_ways.chain([exact]).max_by_key(|way| way.first_wrong().unwrap_or((usize::MAX, JointId(0))));
-    WholeReport { frames: expected.len(), trouble: best.and_then(|comparison| comparison.trouble()) }
 }
 
 fn poses(answer: &Answer) -> &[PosedFrame] {
     match answer {
         Answer::Fk(FkAnswer::Poses(poses)) => poses,
-        Answer::Fk(_) => &[],
+        _ => &[],
     }
 }
 

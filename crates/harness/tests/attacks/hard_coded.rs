@@ -75,8 +75,9 @@ fn bits(numbers: &[f32]) -> Vec<u32> {
 }
 
 fn rows(case: &Case) -> Vec<(Vec<f32>, Vec<f32>)> {
-    let exam::Question::Fk(question) = &case.question;
-    let Answer::Fk(answer) = &case.expected;
+    let (exam::Question::Fk(question), Answer::Fk(answer)) = (&case.question, &case.expected) else {
+        return Vec::new();
+    };
     match (question, answer) {
         (Question::LocalQuaternions { joints, angles }, FkAnswer::LocalQuaternions(answers)) => {
             let turning =

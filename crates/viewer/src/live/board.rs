@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use exam::Subject;
-use grading::scoreboard::{INVITATION, Row, Scoreboard};
+use grading::scoreboard::{Row, Scoreboard};
 use grading::{Exam, Graded, PUBLIC_SEED, Solutions};
 
 /// The points, for the window and for the terminal.
@@ -28,8 +28,8 @@ pub struct Board {
 pub type BoardRow = Row;
 
 /// The text for those who see it run already.
-fn seen(text: &str) -> String {
-    text.replace(INVITATION, " Well done.")
+fn seen(text: &str, scoreboard: &Scoreboard) -> String {
+    text.replace(&scoreboard.well_done(), " Well done.")
 }
 
 /// How long a check may take. Nobody looks at a window as long as at a test, and right functions take a thousandth of it.
@@ -51,8 +51,8 @@ impl Board {
             rows: scoreboard.rows(),
             points,
             of,
-            text: seen(&scoreboard.to_string()),
-            summary: seen(&scoreboard.summary().to_string()),
+            text: seen(&scoreboard.to_string(), scoreboard),
+            summary: seen(&scoreboard.summary().to_string(), scoreboard),
         }
     }
 

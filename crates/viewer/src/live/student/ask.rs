@@ -75,8 +75,10 @@ pub(super) fn put(
     question: FkQuestion,
     limit: Duration,
 ) -> Result<FkAnswer, Failure> {
-    let Answer::Fk(answer) = subject.ask(&Question::Fk(question), limit)?;
-    Ok(answer)
+    match subject.ask(&Question::Fk(question), limit)? {
+        Answer::Fk(answer) => Ok(answer),
+        _ => Err(unfit()),
+    }
 }
 
 pub(super) fn unfit() -> Failure {

@@ -1,0 +1,2 @@
+//! Motions reduced to keyframes.
+#![deny(missing_docs)]
