@@ -15,6 +15,7 @@
 pub mod camera;
 pub mod command;
 pub mod draw;
+pub mod edit;
 pub mod live;
 pub mod motion;
 pub mod output;
