@@ -147,7 +147,7 @@ pub enum Trouble {
     Failed(Failure),
     /// The answer differs from the right one.
     Different {
-        /// How, in one sentence.
+        /// How, in one sentence. Students read it in their feedback too: it holds nothing of the right answer.
         summary: String,
         /// What to look at, sentence by sentence.
         details: Vec<String>,

@@ -15,6 +15,8 @@ pub struct Exercise {
     pub template: &'static str,
     /// What its parts are worth.
     pub rubric: &'static Rubric,
+    /// Whether its functions pose a figure, so that one pose can be drawn for the report.
+    pub has_poses: bool,
     /// The questions of a seed, with the right answers.
     pub exam: fn(u64) -> Exam,
 }
@@ -27,6 +29,7 @@ pub static EXERCISES: [Exercise; 3] = [
         library: include_str!("../../../exercises/fk/src/lib.rs"),
         template: include_str!("../../../solutions/templates/fk.rs"),
         rubric: &grading::fk::RUBRIC,
+        has_poses: true,
         exam: |seed| grading::fk::exam(seed, &Solutions),
     },
     Exercise {
@@ -35,6 +38,7 @@ pub static EXERCISES: [Exercise; 3] = [
         library: include_str!("../../../exercises/interpolation/src/lib.rs"),
         template: include_str!("../../../solutions/templates/interpolation.rs"),
         rubric: &grading::interpolation::RUBRIC,
+        has_poses: false,
         exam: |seed| grading::interpolation::exam(seed, &Solutions),
     },
     Exercise {
@@ -43,6 +47,7 @@ pub static EXERCISES: [Exercise; 3] = [
         library: include_str!("../../../exercises/keyframes/src/lib.rs"),
         template: include_str!("../../../solutions/templates/keyframes.rs"),
         rubric: &grading::keyframes::RUBRIC,
+        has_poses: false,
         exam: |seed| grading::keyframes::exam(seed, &Solutions),
     },
 ];

@@ -18,8 +18,8 @@ use crate::verdict;
 pub struct Examiner<'a> {
     /// The questions and the right answers.
     pub exam: &'a Exam,
-    /// The pose that is drawn.
-    pub portrait: &'a Portrait,
+    /// The pose that is drawn, where the exercise is about poses.
+    pub portrait: Option<&'a Portrait>,
     /// Where the workers run.
     pub sandbox: &'a Sandbox,
     /// What a worker may use.
@@ -105,7 +105,8 @@ impl Examiner<'_> {
     }
 
     fn picture(&self, subject: &mut dyn Subject, patience: Duration) -> Option<Picture> {
-        self.portrait.picture(&subject.ask(&self.portrait.question, patience).ok()?)
+        let portrait = self.portrait?;
+        portrait.picture(&subject.ask(&portrait.question, patience).ok()?)
     }
 }
 

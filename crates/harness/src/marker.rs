@@ -29,7 +29,7 @@ pub struct Marker {
     seed: u64,
     /// The questions and the right answers.
     pub exam: Exam,
-    portrait: Portrait,
+    portrait: Option<Portrait>,
 }
 
 /// How students' code is kept in.
@@ -64,7 +64,8 @@ impl Marker {
             Protection::None => Sandbox::unsandboxed(launcher),
         };
         let exam = (exercise.exam)(seed);
-        Ok(Marker { exercise, toolchain, kit, sandbox, limits, seed, exam, portrait: Portrait::new()? })
+        let portrait = if exercise.has_poses { Some(Portrait::new()?) } else { None };
+        Ok(Marker { exercise, toolchain, kit, sandbox, limits, seed, exam, portrait })
     }
 
     /// The way from a source to a verdict.
@@ -79,7 +80,7 @@ impl Marker {
             },
             examiner: Examiner {
                 exam: &self.exam,
-                portrait: &self.portrait,
+                portrait: self.portrait.as_ref(),
                 sandbox: &self.sandbox,
                 limits: self.limits.run(),
                 patience: self.limits.patience(),
@@ -102,7 +103,7 @@ impl Marker {
             sandboxed: layers.is_sandboxed(),
             sandbox: layers.to_string(),
             shard,
-            reference_picture: Some(self.portrait.reference.clone()),
+            reference_picture: self.portrait.as_ref().map(|portrait| portrait.reference.clone()),
         }
     }
 }

@@ -265,7 +265,7 @@ pub struct Named {
 pub struct Whole {
     /// How many frames were asked.
     pub frames: usize,
-    /// Whether every joint is in its place in all of them.
+    /// Whether the answer is right for all of them.
     pub right: bool,
     /// What the student reads when it is not: `LeftFoot is off by 12.3 cm in frame 100; the first wrong joint is LeftUpLeg`.
     #[serde(default)]

@@ -71,11 +71,9 @@ pub(super) fn letter(run: &RunInfo, record: &Record, mark: &Mark) -> Letter {
         if let Some(whole) = whole {
             let frames = count(whole.frames, "frame");
             let text = match whole.right {
-                true => {
-                    ours(format!("With your functions together every joint is in its place in all {frames}."))
-                }
+                true => ours(format!("Together your functions are right over a whole motion of {frames}.")),
                 false if whole.note.is_empty() => {
-                    ours("Together your functions do not yet place every joint.")
+                    ours("Together your functions are not yet right over a whole motion.")
                 }
                 false => theirs(&whole.note),
             };

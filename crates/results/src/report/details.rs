@@ -32,7 +32,7 @@ fn words(book: &Book<'_>, entry: &Entry, record: &Record) -> Markup {
                 }
                 @if let Some(whole) = whole {
                     h3 { "All parts together" }
-                    @if whole.right { (sentence("Every joint is in its place in all frames.")) }
+                    @if whole.right { (sentence("Right over a whole motion.")) }
                     @else { p { (theirs(&whole.note)) } }
                 }
             }
