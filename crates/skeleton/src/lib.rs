@@ -4,12 +4,14 @@
 //! of channel values per frame. A [`Pose`] says where every joint of one frame stands, as one global
 //! [`Transform`] each. [`pose_frame`] is the fixed traversal that turns a frame into a pose: it calls the three
 //! functions of [`FkFunctions`] for every joint. A [`LocalPose`] is what is between two frames, and [`FrameErrors`] and
-//! [`RemovalCosts`] are what an algorithm that chooses keyframes looks at.
+//! [`RemovalCosts`] are what an algorithm that chooses keyframes looks at. Skeletons of bones, as Acclaim files hold
+//! them, have words of their own: [`acclaim`].
 //!
 //! Conventions, everywhere: right-handed axes, column vectors, rotations as unit quaternions written (x, y, z, w),
 //! angles of a motion in degrees, lengths in the motion's own unit.
 #![deny(missing_docs)]
 
+pub mod acclaim;
 mod channel;
 mod cursor;
 mod inbetween;
