@@ -10,10 +10,12 @@ use std::{env, fs};
 use solutions::template::{TemplateError, strip};
 
 /// The exercises: the solution, the template, and the student's file.
-const EXERCISES: [[&str; 3]; 3] = [
+const EXERCISES: [[&str; 3]; 5] = [
     ["src/fk.rs", "templates/fk.rs", "../exercises/fk/src/fk.rs"],
     ["src/interpolation.rs", "templates/interpolation.rs", "../exercises/interpolation/src/interpolation.rs"],
     ["src/keyframes.rs", "templates/keyframes.rs", "../exercises/keyframes/src/keyframes.rs"],
+    ["src/acclaim.rs", "templates/acclaim.rs", "../exercises/acclaim/src/acclaim.rs"],
+    ["src/time_warp.rs", "templates/time_warp.rs", "../exercises/time-warp/src/time_warp.rs"],
 ];
 
 #[test]

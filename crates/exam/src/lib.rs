@@ -8,6 +8,7 @@
 //! make one.
 #![deny(missing_docs)]
 
+pub mod acclaim;
 pub mod fk;
 mod in_process;
 pub mod interpolation;
@@ -16,6 +17,7 @@ mod process;
 mod stopper;
 mod stream;
 mod subject;
+pub mod time_warp;
 mod wire;
 pub mod worker;
 

@@ -4,9 +4,10 @@ use std::fmt;
 use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
+use skeleton::acclaim::{AcclaimFunctions, TimeWarpFunctions};
 use skeleton::{FkFunctions, InterpolationFunctions, KeyframesFunctions, MakeClip};
 
-use crate::{fk, interpolation, keyframes};
+use crate::{acclaim, fk, interpolation, keyframes, time_warp};
 
 /// The functions of one exercise, as a student wrote them.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +23,10 @@ pub enum Functions {
         /// What poses whole motions for them, where they are asked about any.
         make_clip: Option<MakeClip>,
     },
+    /// Acclaim forward kinematics.
+    Acclaim(AcclaimFunctions),
+    /// Time warping.
+    TimeWarp(TimeWarpFunctions),
 }
 
 impl Functions {
@@ -36,7 +41,10 @@ impl Functions {
             Functions::Keyframes { functions, .. } => {
                 Functions::Keyframes { functions, make_clip: Some(make_clip) }
             }
-            Functions::Fk(_) | Functions::Interpolation(_) => self,
+            Functions::Fk(_)
+            | Functions::Interpolation(_)
+            | Functions::Acclaim(_)
+            | Functions::TimeWarp(_) => self,
         }
     }
 }
@@ -50,6 +58,10 @@ pub enum Question {
     Interpolation(interpolation::Question),
     /// Keyframes.
     Keyframes(keyframes::Question),
+    /// Acclaim forward kinematics.
+    Acclaim(acclaim::Question),
+    /// Time warping.
+    TimeWarp(time_warp::Question),
 }
 
 /// The answer to a [`Question`] of the same exercise.
@@ -61,6 +73,10 @@ pub enum Answer {
     Interpolation(interpolation::Answer),
     /// Keyframes.
     Keyframes(keyframes::Answer),
+    /// Acclaim forward kinematics.
+    Acclaim(acclaim::Answer),
+    /// Time warping.
+    TimeWarp(time_warp::Answer),
     /// These functions are of another exercise.
     NotMine,
 }
@@ -76,7 +92,20 @@ impl Question {
             (Question::Keyframes(question), Functions::Keyframes { functions, make_clip }) => {
                 Answer::Keyframes(question.ask(functions, *make_clip))
             }
-            (Question::Fk(_) | Question::Interpolation(_) | Question::Keyframes(_), _) => Answer::NotMine,
+            (Question::Acclaim(question), Functions::Acclaim(functions)) => {
+                Answer::Acclaim(question.ask(functions))
+            }
+            (Question::TimeWarp(question), Functions::TimeWarp(functions)) => {
+                Answer::TimeWarp(question.ask(functions))
+            }
+            (
+                Question::Fk(_)
+                | Question::Interpolation(_)
+                | Question::Keyframes(_)
+                | Question::Acclaim(_)
+                | Question::TimeWarp(_),
+                _,
+            ) => Answer::NotMine,
         }
     }
 
@@ -85,6 +114,8 @@ impl Question {
             Question::Fk(question) => question.answer_limit(),
             Question::Interpolation(question) => question.answer_limit(),
             Question::Keyframes(question) => question.answer_limit(),
+            Question::Acclaim(question) => question.answer_limit(),
+            Question::TimeWarp(question) => question.answer_limit(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use exam::Functions;
 
-use crate::{Exam, Misconception, Reference, Rubric, fk, interpolation, keyframes};
+use crate::{Exam, Misconception, Reference, Rubric, acclaim, fk, interpolation, keyframes, time_warp};
 
 /// What is known of an exercise before anything is asked.
 #[derive(Debug)]
@@ -16,7 +16,7 @@ pub struct Exercise {
 }
 
 /// All exercises, in the order of the course.
-pub static EXERCISES: [Exercise; 3] = [
+pub static EXERCISES: [Exercise; 5] = [
     Exercise { rubric: &fk::RUBRIC, exam: fk::exam, misconceptions: fk::misconceptions },
     Exercise {
         rubric: &interpolation::RUBRIC,
@@ -24,6 +24,8 @@ pub static EXERCISES: [Exercise; 3] = [
         misconceptions: interpolation::misconceptions,
     },
     Exercise { rubric: &keyframes::RUBRIC, exam: keyframes::exam, misconceptions: keyframes::misconceptions },
+    Exercise { rubric: &acclaim::RUBRIC, exam: acclaim::exam, misconceptions: acclaim::misconceptions },
+    Exercise { rubric: &time_warp::RUBRIC, exam: time_warp::exam, misconceptions: time_warp::misconceptions },
 ];
 
 impl Exercise {
@@ -33,6 +35,8 @@ impl Exercise {
             Functions::Fk(_) => &EXERCISES[0],
             Functions::Interpolation(_) => &EXERCISES[1],
             Functions::Keyframes { .. } => &EXERCISES[2],
+            Functions::Acclaim(_) => &EXERCISES[3],
+            Functions::TimeWarp(_) => &EXERCISES[4],
         }
     }
 

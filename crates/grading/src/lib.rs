@@ -7,6 +7,7 @@
 //! The same checks run for the student and for the teaching assistant: only the seed differs.
 #![deny(missing_docs)]
 
+pub mod acclaim;
 mod dice;
 mod exam_paper;
 mod exercises;
@@ -21,6 +22,7 @@ mod rubric;
 pub mod scoreboard;
 mod self_grading;
 mod tables;
+pub mod time_warp;
 
 pub use exam_paper::{Case, CheckPaper, Difference, Exam, Judge, PartPaper, WholeMotion};
 pub use exercises::{EXERCISES, Exercise};

@@ -18,6 +18,8 @@ impl Reference for Solutions {
             Question::Fk(_) => question.ask(&Functions::Fk(solutions::FK)),
             Question::Interpolation(_) => question.ask(&Functions::Interpolation(solutions::INTERPOLATION)),
             Question::Keyframes(_) => question.ask(&Functions::keyframes(solutions::KEYFRAMES)),
+            Question::Acclaim(_) => question.ask(&Functions::Acclaim(solutions::ACCLAIM)),
+            Question::TimeWarp(_) => question.ask(&Functions::TimeWarp(solutions::TIME_WARP)),
         }
     }
 }

@@ -9,13 +9,15 @@ use std::{env, fs};
 const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Which of our own crates each may use, directly or not.
-const ARROWS: [(&str, &[&str]); 16] = [
+const ARROWS: [(&str, &[&str]); 18] = [
     ("skeleton", &[]),
     ("parser", &["skeleton"]),
     ("exam", &["skeleton"]),
     ("solutions", &["skeleton"]),
     ("fk", &["exam", "skeleton"]),
     ("interpolation", &["exam", "skeleton"]),
+    ("acclaim", &["exam", "skeleton"]),
+    ("time-warp", &["exam", "skeleton"]),
     ("keyframes", &["exam", "inbetween", "skeleton"]),
     ("inbetween", &["skeleton"]),
     ("reduction", &["inbetween", "skeleton", "solutions"]),

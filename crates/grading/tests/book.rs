@@ -61,7 +61,7 @@ fn check_table(file: &str, place: &str, table: &str) {
 
 /// The source of an exercise's solution.
 fn solution(exercise: &str) -> String {
-    fs::read_to_string(workspace().join(format!("solutions/src/{exercise}.rs"))).unwrap()
+    fs::read_to_string(workspace().join(format!("solutions/src/{}.rs", exercise.replace('-', "_")))).unwrap()
 }
 
 #[test]

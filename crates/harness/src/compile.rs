@@ -116,7 +116,7 @@ impl Compiler<'_> {
         let mut environment: Vec<(OsString, OsString)> = vec![
             ("TMPDIR".into(), folder.into()),
             ("CARGO_PKG_NAME".into(), self.exercise.name.into()),
-            ("CARGO_CRATE_NAME".into(), self.exercise.name.into()),
+            ("CARGO_CRATE_NAME".into(), self.exercise.crate_name().into()),
             ("CARGO_PKG_VERSION".into(), env!("CARGO_PKG_VERSION").into()),
             ("CARGO_MANIFEST_DIR".into(), ".".into()),
         ];
@@ -130,7 +130,8 @@ impl Compiler<'_> {
     /// As cargo would call it for `cargo test -p fk`, but for what only debuggers need.
     fn rustc_arguments(&self) -> Vec<OsString> {
         let is_direct = matches!(self.toolchain.linker, Linker::Direct { .. });
-        let fixed = ["--edition", "2024", "--crate-name", self.exercise.name, "--crate-type", "bin"];
+        let name = self.exercise.crate_name();
+        let fixed = ["--edition", "2024", "--crate-name", &name, "--crate-type", "bin"];
         let codegen = ["-Copt-level=0", "-Cdebuginfo=0", "-Ccodegen-units=1", "-Cembed-bitcode=no"];
         // Warnings cost time and give no points. `--cap-lints` would do more than that: it lifts the ban of unsafe
         // code and the end of endless constants.

@@ -22,7 +22,7 @@ pub struct Exercise {
 }
 
 /// All exercises.
-pub static EXERCISES: [Exercise; 3] = [
+pub static EXERCISES: [Exercise; 5] = [
     Exercise {
         name: "fk",
         file: "fk.rs",
@@ -50,12 +50,35 @@ pub static EXERCISES: [Exercise; 3] = [
         has_poses: false,
         exam: |seed| grading::keyframes::exam(seed, &Solutions),
     },
+    Exercise {
+        name: "acclaim",
+        file: "acclaim.rs",
+        library: include_str!("../../../exercises/acclaim/src/lib.rs"),
+        template: include_str!("../../../solutions/templates/acclaim.rs"),
+        rubric: &grading::acclaim::RUBRIC,
+        has_poses: false,
+        exam: |seed| grading::acclaim::exam(seed, &Solutions),
+    },
+    Exercise {
+        name: "time-warp",
+        file: "time_warp.rs",
+        library: include_str!("../../../exercises/time-warp/src/lib.rs"),
+        template: include_str!("../../../solutions/templates/time_warp.rs"),
+        rubric: &grading::time_warp::RUBRIC,
+        has_poses: false,
+        exam: |seed| grading::time_warp::exam(seed, &Solutions),
+    },
 ];
 
 impl Exercise {
     /// The exercise of this name.
     pub fn named(name: &str) -> Option<&'static Exercise> {
         EXERCISES.iter().find(|exercise| exercise.name == name)
+    }
+
+    /// The package's name as Rust writes it.
+    pub fn crate_name(&self) -> String {
+        self.name.replace('-', "_")
     }
 
     /// Where the student's file lies, from the workspace's folder on. The compiler's messages name it so.

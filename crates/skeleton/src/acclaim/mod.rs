@@ -22,11 +22,13 @@
 //! The root has no length. It starts and ends at the posture's translation of the root.
 
 mod bone;
+mod exercise;
 mod motion;
 mod posture;
 mod tree;
 
 pub use bone::{Bone, BoneData, BoneId, DegreeOfFreedom, LocalAxes};
+pub use exercise::{AcclaimFunctions, Between, BonePlace, TimeWarpFunctions, Visitor};
 pub use motion::{Columns, Motion};
 pub use posture::Posture;
 pub use tree::{AngleUnit, Root, Skeleton, SkeletonError, Units};

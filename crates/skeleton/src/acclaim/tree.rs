@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::fmt;
+use std::ops::Index;
 
 use glam::{Quat, Vec3};
 
@@ -220,6 +221,17 @@ impl Skeleton {
         let low = ends.iter().fold(self.position, |low, &end| low.min(end));
         let high = ends.iter().fold(self.position, |high, &end| high.max(end));
         low.distance(high)
+    }
+}
+
+/// # Panics
+///
+/// If the skeleton has no bone `id`. An id from the same skeleton is always there.
+impl Index<BoneId> for Skeleton {
+    type Output = Bone;
+
+    fn index(&self, id: BoneId) -> &Bone {
+        &self.bones[id.0]
     }
 }
 

@@ -1,0 +1,50 @@
+//! What the parts of the exercise on Acclaim forward kinematics are worth.
+
+use crate::{CheckRubric, PartRubric, Rubric};
+
+/// The rubric of the exercise on Acclaim forward kinematics.
+pub static RUBRIC: Rubric = Rubric {
+    exercise: "acclaim",
+    title: "Acclaim forward kinematics",
+    invitation: "run `cargo view --exercise acclaim` and see it walk",
+    parts: &[
+        PartRubric {
+            id: "part1",
+            function: "bone_rotation",
+            title: "bone rotation",
+            like_template: "no rotation, whatever the angles",
+            checks: &[
+                check("root", 1, "the root"),
+                check("angles", 2, "a bone's three angles, in the order Z, Y, X"),
+                check("rest", 2, "axes that are turned against the parent's at rest"),
+            ],
+        },
+        PartRubric {
+            id: "part2",
+            function: "bone_ends",
+            title: "bone ends",
+            like_template: "no length: the bone ends where it starts",
+            checks: &[
+                check("start", 1, "the start is the parent's end"),
+                check("end", 3, "the end: length, direction and rotation"),
+                check("translation", 1, "an end that is moved"),
+            ],
+        },
+        PartRubric {
+            id: "part3",
+            function: "visit_bones",
+            title: "all bones",
+            like_template: "the one bone, and nothing that hangs on it",
+            checks: &[
+                check("chain", 1, "a chain of bones"),
+                check("siblings", 2, "several bones on one"),
+                check("subtree", 1, "a bone in the middle, and what hangs on it"),
+                check("all", 1, "a whole skeleton, every bone once and parents first"),
+            ],
+        },
+    ],
+};
+
+const fn check(id: &'static str, points: u32, title: &'static str) -> CheckRubric {
+    CheckRubric { id, points, title }
+}

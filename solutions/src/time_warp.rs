@@ -1,0 +1,108 @@
+//! Time warping: the same motion, slower or faster.
+//!
+//! This is the only file that you edit, and the only one that you hand in. It holds three functions. The third makes a
+//! motion with another number of frames; the first two are yours to call there.
+//!
+//! - Try it: `cargo view --exercise time-warp` shows the motion that your functions make beside the original.
+//! - Check it: `cargo test -p time-warp` shows your points and what to do next; `cargo test -p time-warp part1` checks
+//!   part 1 only.
+//!
+//! A posture holds, for every bone, three angles about its own X, Y and Z axis in degrees, and a translation. The
+//! rotation that the angles stand for is Rz Ry Rx. A quaternion is written (x, y, z, w).
+
+#[allow(unused_imports)] // You may need all of them.
+use glam::{EulerRot, Quat, Vec3};
+use skeleton::acclaim::{Between, Posture};
+
+/// Part 1 (5 points): where a frame of the new motion is in the old one.
+///
+/// **In:** the `new_frame`, counted from 0; how many frames the old motion has (at least one), and how many the new one
+/// is to have.
+///
+/// **Out:** the old frames before and after that place, and how far it is from the one to the other: `t`, from 0 up to, but
+/// not including, 1.
+///
+/// The place is `new_frame` × old count / new count, mostly not a whole number. Where it is one, that frame is both, and `t`
+/// is 0. There is no frame behind the last one: where the frame after would be behind it, it is the last one, too.
+///
+/// A count of several million must not make the place inexact.
+///
+/// **Example.** From 4 frames to 8: the new frame 3 is at 1.5, between the old frames 1 and 2, with `t` = 0.5. The new frame
+/// 7 is at 3.5; the last old frame is 3, so it is the frame before and the frame after.
+pub fn old_position(new_frame: usize, old_count: usize, new_count: usize) -> Between {
+    // solution-begin
+    let last = old_count.saturating_sub(1);
+    // In whole numbers nothing is lost, however large they are.
+    let (place, of) = (new_frame as u128 * old_count as u128, (new_count as u128).max(1));
+    let before = usize::try_from(place / of).unwrap_or(usize::MAX);
+    let t = (place % of) as f64 / of as f64;
+    let after = if t > 0.0 { before.saturating_add(1) } else { before };
+    Between { before: before.min(last), after: after.min(last), t: t as f32 }
+    // solution-else
+    // let _ = (old_count, new_count); // Keeps the compiler quiet for now. Delete this line when you start.
+    // Between { before: new_frame, after: new_frame, t: 0.0 }
+    // solution-end
+}
+
+/// Part 2 (5 points): between two postures.
+///
+/// **In:** two postures of the same bones, and `t`: 0 is the first, 1 is the second.
+///
+/// **Out:** the posture at `t`. Translations go straight from the one to the other. Rotations go the shorter way round, about
+/// one axis, at an even speed.
+///
+/// Euler angles cannot be interpolated like that: make a quaternion of the angles, interpolate (`a.slerp(b, t)`), and
+/// make angles of the result again. A quaternion's x, y and z are no angles. `Quat::from_euler` and `to_euler` with
+/// `EulerRot::ZYX` take and give the angles about Z, Y and X, in this order, in radians. Different angles can stand for the same
+/// rotation: which of them you return does not matter.
+///
+/// **Example.** Between the angles (0, 0, 0) and (0, 0, 90), half-way: (0, 0, 45).
+pub fn blend(from: &Posture, to: &Posture, t: f32) -> Posture {
+    // solution-begin
+    let angles = from.angles.iter().zip(&to.angles);
+    let angles = angles.map(|(from, to)| angles_of(quaternion(*from).slerp(quaternion(*to), t)));
+    let translations = from.translations.iter().zip(&to.translations);
+    let translations = translations.map(|(from, to)| from.lerp(*to, t));
+    Posture { angles: angles.collect(), translations: translations.collect() }
+    // solution-else
+    // let _ = (to, t); // As above.
+    // from.clone()
+    // solution-end
+}
+// solution-begin
+
+/// The rotation that three angles about X, Y and Z stand for.
+fn quaternion([x, y, z]: [f32; 3]) -> Quat {
+    Quat::from_euler(EulerRot::ZYX, z.to_radians(), y.to_radians(), x.to_radians())
+}
+
+/// The angles about X, Y and Z that stand for a rotation.
+fn angles_of(rotation: Quat) -> [f32; 3] {
+    let (z, y, x) = rotation.to_euler(EulerRot::ZYX);
+    [x, y, z].map(f32::to_degrees)
+}
+// solution-end
+
+/// Part 3 (5 points): the whole motion with another number of frames.
+///
+/// **In:** the postures of the old motion, frame after frame, and how many frames the new one is to have.
+///
+/// **Out:** the postures of the new motion, as many as that. A motion without any frame cannot be warped: it stays without.
+///
+/// **Example.** From 3 frames to 6: the new frames 0, 2 and 4 are the old frames 0, 1 and 2; those between are blended, and
+/// frame 5 is the last old frame once more.
+pub fn warp(postures: &[Posture], new_count: usize) -> Vec<Posture> {
+    // solution-begin
+    if postures.is_empty() {
+        return Vec::new();
+    }
+    let posture = |frame| {
+        let Between { before, after, t } = old_position(frame, postures.len(), new_count);
+        blend(&postures[before], &postures[after], t)
+    };
+    (0..new_count).map(posture).collect()
+    // solution-else
+    // let _ = new_count; // As above.
+    // postures.to_vec()
+    // solution-end
+}
