@@ -52,9 +52,9 @@ pub struct InbetweenClip {
     places: Vec<Option<usize>>,
     /// How many joints have angles.
     turning: usize,
-    /// For each frame the angles of each joint that has any, in degrees.
+    /// For each frame the angles of each joint that has any, in degrees. Only where angles are interpolated.
     angles: Vec<[f32; 3]>,
-    /// Half of these.
+    /// Half of these, and also only there.
     halves: Vec<Halves>,
     /// For each frame the local rotation of each joint.
     rotations: Vec<Quat>,
@@ -100,8 +100,8 @@ impl InbetweenClip {
             frame_count: frames.len(),
             places,
             turning,
-            angles: Vec::with_capacity(frames.len() * turning),
-            halves: Vec::with_capacity(frames.len() * turning),
+            angles: Vec::new(),
+            halves: Vec::new(),
             rotations: Vec::with_capacity(frames.len() * joints.len()),
             positions: Vec::with_capacity(frames.len() * joints.len()),
             stretches: Vec::new(),
@@ -113,8 +113,10 @@ impl InbetweenClip {
             let mut positions = frame.local_positions.iter().copied();
             for joint in joints {
                 let angles = joint.rotation_order.axes().map(|_| cursor.take3());
-                clip.angles.extend(angles);
-                clip.halves.extend(angles.map(Halves::of));
+                if representation == Representation::Euler {
+                    clip.angles.extend(angles);
+                    clip.halves.extend(angles.map(Halves::of));
+                }
                 clip.rotations.push(turn::quaternion(joint.rotation_order, angles.unwrap_or_default()));
                 clip.positions.push(positions.next().unwrap_or(joint.offset));
             }
