@@ -109,9 +109,11 @@ fn the_dance_comes_as_close_to_the_optimum_as_real_motions_do() {
 
 #[test]
 fn the_optimum_of_the_dance_is_that_of_all_gaps() {
-    for (errors, all) in both(&dance()).iter().zip(both(&dance())) {
+    for all in both(&dance()) {
         for cap in [None, Some(8), Some(12)] {
-            let best = optimum(errors, 20, cap, &mut go_on).unwrap().error;
+            // None of them remembers what another one posed.
+            let errors = errors(&dance(), all.clip().representation());
+            let best = optimum(&errors, 20, cap, &mut go_on).unwrap().error;
             let expected = least_error(&all, 20, cap).unwrap();
             assert!((best - expected).abs() <= 1e-9 * expected, "{cap:?}: {best} {expected}");
         }
@@ -140,7 +142,7 @@ fn the_optimum_spares_most_of_the_work() {
         optimum(&errors, 20, None, &mut go_on).unwrap();
         // All gaps of all lengths together have so many frames.
         let all: u64 = (2..141).map(|length| (141 - length) * (length - 1)).sum();
-        assert!(errors.poses() < all / 10, "{} {all}", errors.poses());
+        assert!(errors.poses() < all / 20, "{} {all}", errors.poses());
     }
 }
 
@@ -222,9 +224,12 @@ fn frames_that_are_no_numbers_have_an_optimum_all_the_same() {
         assert_eq!(best.keyframes, [0, 11, 12, 13, 19, 20, 21, 29]);
         assert!(best.error.is_finite());
         // With fewer, no error is a number.
-        let best = optimum(&errors, 5, None, &mut go_on).unwrap();
-        assert_eq!(best.keyframes.len(), 5);
-        assert!(best.keyframes.is_sorted_by(|a, b| a < b) && best.error.is_nan());
+        for cap in [None, Some(8)] {
+            let best = optimum(&errors, 5, cap, &mut go_on).unwrap();
+            assert_eq!(best.keyframes.len(), 5);
+            assert!(best.keyframes.is_sorted_by(|a, b| a < b) && best.error.is_nan());
+            assert!(fits(&best.keyframes, cap));
+        }
         assert_eq!(local_moves(&errors, &greedy(&errors, 5), &mut go_on).len(), 5);
     }
 }
