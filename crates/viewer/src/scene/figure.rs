@@ -21,12 +21,21 @@ pub enum Look {
     /// The one to look at: bones, squares and axes in full colours.
     #[default]
     Solid,
-    /// The same, pale: it is not up to date.
+    /// The same, bright green for a moment: at a keyframe.
+    Flash,
+    /// The same as the solid one, pale: it is not up to date.
     Dimmed,
     /// The goal: thin and translucent.
     Ghost,
     /// An echo of the solid figure at another time. `0` is invisible, `1` as strong as the ghost.
     Echo(f32),
+}
+
+impl Look {
+    /// Whether it is the figure to look at, up to date or not.
+    pub fn is_solid(self) -> bool {
+        matches!(self, Look::Solid | Look::Flash | Look::Dimmed)
+    }
 }
 
 /// From a joint to its parent.

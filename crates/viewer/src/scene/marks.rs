@@ -44,6 +44,10 @@ pub enum Tint {
     Off(Off),
     /// The goal.
     Ghost,
+    /// How far an interpolated joint is from the original one.
+    Error,
+    /// A keyframe.
+    Keyframe,
     /// The X axis.
     X,
     /// The Y axis.

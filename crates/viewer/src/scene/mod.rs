@@ -8,6 +8,7 @@ mod figure;
 mod instruments;
 mod marks;
 mod panel;
+mod plot;
 mod pool;
 
 use crate::camera::Camera;
@@ -17,6 +18,7 @@ pub use figure::{Axes, Bone, Dot, Figure, Look, Off, Side};
 pub use instruments::{ScaleBar, Timeline};
 pub use marks::{Mark, Tint, Trail};
 pub use panel::{Corner, Line, Panel};
+pub use plot::{Curve, Plot, Tick};
 pub use pool::Pool;
 
 /// Everything in one picture. Lengths are in world units: those of the motion's file.
@@ -42,6 +44,10 @@ pub struct Scene {
     pub panels: Pool<Panel>,
     /// The bar that shows the frame among all frames.
     pub timeline: Option<Timeline>,
+    /// Frames that are marked on this bar, in ascending order.
+    pub keyframes: Vec<usize>,
+    /// Curves in a corner.
+    pub plot: Option<Plot>,
     /// A length to compare with.
     pub scale_bar: Option<ScaleBar>,
 }
