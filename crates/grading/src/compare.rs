@@ -59,7 +59,7 @@ pub(crate) fn between_positions(expected: Vec3, got: Vec3, size: f32) -> Option<
     Some(Difference { got: vector(got), expected: vector(expected), between })
 }
 
-const NOT_A_NUMBER: &str = "yours is not a number (NaN) or infinite: look for a division by zero";
+pub(crate) const NOT_A_NUMBER: &str = "yours is not a number (NaN) or infinite: look for a division by zero";
 
 /// An answer to another question than the one that was asked.
 pub(crate) fn not_comparable() -> Option<Difference> {

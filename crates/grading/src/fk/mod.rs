@@ -4,7 +4,7 @@ mod compare;
 mod misconceptions;
 mod paper;
 mod rubric;
-mod variants;
+pub(crate) mod variants;
 mod whole_motion;
 
 pub use crate::compare::{POSITION_TOLERANCE, ROTATION_TOLERANCE, angle_between};
