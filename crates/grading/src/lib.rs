@@ -7,9 +7,11 @@
 //! The same checks run for the student and for the teaching assistant: only the seed differs.
 #![deny(missing_docs)]
 
+mod compare;
 mod dice;
 mod exam_paper;
 mod exercises;
+mod figure;
 pub mod fk;
 mod grade;
 pub mod interpolation;
