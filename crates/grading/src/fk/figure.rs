@@ -36,7 +36,7 @@ const CHAIN: usize = 8;
 
 /// A figure with all six rotation orders and joints without rotation, mixed; joints with six channels; several children
 /// on one joint; a deep chain; and two roots that are not at the origin.
-pub(super) fn figure(dice: &mut Dice) -> Skeleton {
+pub(crate) fn figure(dice: &mut Dice) -> Skeleton {
     let mut skeleton = Skeleton::new();
     let mut ids: Vec<JointId> = Vec::new();
     let mut orders = Orders::default();
@@ -99,7 +99,7 @@ impl Orders {
 }
 
 /// A motion of `frames` frames in which every channel changes steadily, far beyond a full turn.
-pub(super) fn motion(dice: &mut Dice, skeleton: &Skeleton, frames: usize) -> Motion {
+pub(crate) fn motion(dice: &mut Dice, skeleton: &Skeleton, frames: usize) -> Motion {
     let tracks: Vec<(f32, f32)> = skeleton
         .joints()
         .iter()

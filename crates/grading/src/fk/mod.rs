@@ -1,7 +1,7 @@
 //! Grading the forward-kinematics exercise.
 
 mod compare;
-mod figure;
+pub(crate) mod figure;
 mod misconceptions;
 mod paper;
 mod rubric;
