@@ -10,7 +10,7 @@ use crate::keyframes::wander::{costs, wander};
 
 /// In every step the second-best removal costs more than the best one by more than this, times their size: which one is
 /// right does not depend on how sums are rounded, nor on the type that costs are kept in.
-const MARGIN: f64 = 1e-3;
+const MARGIN: f64 = 0.005;
 
 /// Where the costs come from.
 #[derive(Clone, Copy)]
@@ -163,4 +163,21 @@ fn draft(frame_count: usize, count: usize, costs: Triples, group: Option<&str>) 
     }
     let question = KeyframesQuestion::Reduce { frame_count, count, costs };
     Draft { question, inputs, group: group.map(ToOwned::to_owned), size: 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_costs_close_together_are_not_clear_in_any_step_that_is_taken() {
+        let clear = |count, costs: [f64; 4]| {
+            is_clear(6, count, |_, frame, _| costs[frame - 1], |_, frame, _| costs[frame - 1])
+        };
+        assert!(clear(2, [1.0, 4.0, 2.0, 3.0]));
+        assert!(!clear(5, [1.0, 1.004, 2.0, 3.0]));
+        assert!(!clear(5, [0.0, 0.0, 2.0, 3.0]));
+        assert!(!clear(4, [1.0, 2.0, 2.009, 3.0]));
+        assert!(clear(5, [1.0, 2.0, 2.009, 3.0]), "the second removal is not wanted");
+    }
 }
