@@ -77,8 +77,9 @@ pub struct FrameAnswer {
     pub local: LocalPose,
     /// With Euler angles: those of every joint that has any, by part 1.
     pub angles: Vec<[f32; 3]>,
-    /// With quaternions: the rotation of every joint that has angles, by part 2.
-    pub rotations: Vec<Quat>,
+    /// With quaternions: the rotation of every joint that has angles, by part 2. Twice, because *q* and −*q* are the same
+    /// rotation and part 3 may have come to either of them: from one end to the other, and to the negative of the other.
+    pub rotations: Vec<[Quat; 2]>,
 }
 
 impl Question {
@@ -104,7 +105,7 @@ impl Question {
                         Representation::Quaternion => {
                             let [from, to] = [0, 1]
                                 .map(|end: usize| ends[end].get(joint.id.0).copied().unwrap_or_default());
-                            answer.rotations.push((functions.slerp)(from, to, *t));
+                            answer.rotations.push([to, -to].map(|to| (functions.slerp)(from, to, *t)));
                         }
                     }
                 }
@@ -119,7 +120,7 @@ impl Question {
 
     /// More bytes than any honest answer to this question takes on the wire.
     pub(crate) fn answer_limit(&self) -> usize {
-        // Two rotations, a position and three angles of 4 bytes a number.
+        // Three rotations and a position of 4 bytes a number, and what holds them together.
         const PER_JOINT: usize = 64;
         let joints = match self {
             Question::Angles { .. } | Question::Slerp { .. } => 1,

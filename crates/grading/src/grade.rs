@@ -181,8 +181,9 @@ fn recognise(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport])
             })
     };
     let named = |misconception: &Misconception| {
-        let Misconception { id, title, explanation, hint, seen_in, .. } = *misconception;
-        Named { id, title, explanation, hint, seen_in }
+        let Misconception { id, title, explanation, hint, costs, .. } = *misconception;
+        // It explains all that it costs, also where its answers could not be compared.
+        Named { id, title, explanation, hint, seen_in: costs }
     };
     part.misconceptions.iter().filter(is_seen).map(named).collect()
 }

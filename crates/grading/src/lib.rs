@@ -8,9 +8,11 @@
 #![deny(missing_docs)]
 
 pub mod acclaim;
+mod compare;
 mod dice;
 mod exam_paper;
 mod exercises;
+mod figure;
 pub mod fk;
 mod grade;
 pub mod interpolation;

@@ -15,7 +15,7 @@ pub struct Misconception {
     pub hint: &'static str,
     /// The checks whose answers it shows in: all of these are compared with its variants'.
     pub seen_in: &'static [&'static str],
-    /// The checks that it fails.
+    /// The checks that it fails. There may be others than those it is recognised by.
     pub costs: &'static [&'static str],
     /// Functions with this misconception and no other. Their answers are what is recognised.
     pub variants: Vec<Functions>,

@@ -154,3 +154,42 @@ impl Clip for GivenPoses<'_> {
         pose.clone_from(&self.between[triples::rank(self.originals.len(), start, frame, end)]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Answer as AnyAnswer;
+    use crate::wire::{self, Reply};
+
+    /// What an answer takes on the wire.
+    fn length(answer: Answer) -> usize {
+        wire::to_bytes(&Reply::Answered(AnyAnswer::Keyframes(answer))).unwrap().len()
+    }
+
+    #[test]
+    fn honest_answers_fit_the_limit() {
+        for frames in [0, 1, 2, 5, 300, 20_000] {
+            let all = || (0..frames).collect::<Vec<usize>>();
+            let reduce = Question::Reduce { frame_count: frames, count: 0, costs: Triples::default() };
+            assert!(length(Answer::Reduce(all())) <= reduce.answer_limit(), "{frames}");
+
+            // As many as are wanted and no more than there are, but for the two that always stay.
+            let counts: Vec<usize> = (0..200).map(|n| n * frames / 100).chain([usize::MAX]).collect();
+            let reduction = |count: &usize| {
+                let stay = (*count).max(2).min(frames);
+                Reduction { keyframes: (frames - stay..frames).collect(), error: 1e300 }
+            };
+            let reductions = counts.iter().map(reduction).collect();
+            let motion = Question::Motion {
+                skeleton: Skeleton::new(),
+                frames: vec![Frame::default(); frames],
+                representation: Representation::Euler,
+                counts,
+            };
+            assert!(length(Answer::Motion(reductions)) <= motion.answer_limit(), "{frames}");
+        }
+        let numbers = [Answer::PoseError(-1e300), Answer::RemovalCost(f64::NAN)];
+        let question = Question::RemovalCost { before: 0, frame: 1, after: 2, errors: Triples::default() };
+        assert!(numbers.into_iter().all(|number| length(number) <= question.answer_limit()));
+    }
+}

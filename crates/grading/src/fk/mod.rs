@@ -1,14 +1,13 @@
 //! Grading the forward-kinematics exercise.
 
 mod compare;
-mod figure;
 mod misconceptions;
 mod paper;
 mod rubric;
-mod variants;
+pub(crate) mod variants;
 mod whole_motion;
 
-pub use compare::{POSITION_TOLERANCE, ROTATION_TOLERANCE, angle_between};
+pub use crate::compare::{POSITION_TOLERANCE, ROTATION_TOLERANCE, angle_between};
 pub use misconceptions::{accepted, misconceptions};
 pub use paper::exam;
 pub use rubric::RUBRIC;

@@ -5,12 +5,13 @@ use exam::{Answer, Functions, Question};
 use glam::Quat;
 use skeleton::{Axis, Channel, Joint, Pose, RotationOrder, Skeleton, Transform};
 
-use super::compare::{self, quaternion, vector};
-use super::figure::{self, figure};
+use super::compare;
 use super::misconceptions::{accepted, misconceptions};
 use super::whole_motion::RightPoses;
 use super::{RUBRIC, TEMPLATE};
+use crate::compare::{quaternion, vector};
 use crate::dice::Dice;
+use crate::figure::{self, figure};
 use crate::{Case, CheckPaper, Difference, Exam, PartPaper, Reference, WholeMotion};
 
 /// Frames of the whole motion that the three parts pose together.

@@ -13,7 +13,7 @@ pub const TEMPLATE: FkFunctions = FkFunctions {
 };
 
 /// What someone takes for π.
-pub(super) trait Pi {
+pub(crate) trait Pi {
     const PI: f32;
 }
 
@@ -21,7 +21,7 @@ macro_rules! pi {
     ($(#[$doc:meta] $name:ident = $value:expr;)*) => {
         $(
             #[$doc]
-            pub(super) struct $name;
+            pub(crate) struct $name;
 
             impl Pi for $name {
                 #[allow(clippy::approx_constant)] // Being approximate is what they are for.
@@ -47,7 +47,7 @@ pi! {
 }
 
 /// Part 1.
-pub(super) mod local {
+pub(crate) mod local {
     use super::*;
 
     /// Takes the three angles as degrees and lets `make` work on axes and radians; NONE is not turned.

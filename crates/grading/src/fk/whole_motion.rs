@@ -4,8 +4,8 @@ use exam::fk::{Answer as FkAnswer, PosedFrame};
 use exam::{Answer, Failure, Question};
 use skeleton::{JointId, Skeleton, Transform};
 
-use super::compare::{POSITION_TOLERANCE, ROTATION_TOLERANCE, angle_between};
 use super::misconceptions::accepted;
+use crate::compare::{POSITION_TOLERANCE, ROTATION_TOLERANCE, angle_between};
 use crate::{Judge, TreeLine, Trouble, WholeReport};
 
 /// Knows the right poses of a motion, and looks for the joint where others begin to go wrong.

@@ -17,7 +17,7 @@ pub static RUBRIC: Rubric = Rubric {
                 check("near", 1, "angles less than half a turn apart"),
                 check("across", 2, "angles on both sides of ±180 degrees: the shorter way round"),
                 check("turns", 1, "angles that are full turns apart"),
-                check("ends", 1, "`t` at 0 and 1, below and above"),
+                check("ends", 1, "t at 0 and 1, below 0 and above 1"),
             ],
         },
         PartRubric {
@@ -29,7 +29,7 @@ pub static RUBRIC: Rubric = Rubric {
                 check("near", 2, "two rotations less than half a turn apart, at an even speed"),
                 check("shorter_way", 1, "quaternions that point apart: the shorter way round"),
                 check("close", 1, "two rotations that are the same, or nearly"),
-                check("ends", 1, "`t` at 0 and 1, below and above"),
+                check("ends", 1, "t at 0 and 1, below 0 and above 1"),
             ],
         },
         PartRubric {

@@ -26,13 +26,24 @@ impl Course {
 
     /// What a student does: saves the file.
     pub fn save(&self, source: &str) {
-        write(&self.folder.join("exercises/fk/src/fk.rs"), source.as_bytes());
+        self.save_exercise("fk", source);
+    }
+
+    /// The same in another exercise.
+    pub fn save_exercise(&self, exercise: &str, source: &str) {
+        let file = self.folder.join(format!("exercises/{exercise}/src/{exercise}.rs"));
+        write(&file, source.as_bytes());
     }
 
     /// What a student types: `cargo test -p fk`.
     pub fn test_command(&self) -> Command {
+        self.test_exercise("fk")
+    }
+
+    /// The same in another exercise.
+    pub fn test_exercise(&self, exercise: &str) -> Command {
         let mut command = cargo(&self.folder);
-        command.args(["test", "-p", "fk"]);
+        command.args(["test", "-p", exercise]);
         command
     }
 }

@@ -36,7 +36,7 @@ const CHAIN: usize = 8;
 
 /// A figure with all six rotation orders and joints without rotation, mixed; joints with six channels; several children
 /// on one joint; a deep chain; and two roots that are not at the origin.
-pub(super) fn figure(dice: &mut Dice) -> Skeleton {
+pub(crate) fn figure(dice: &mut Dice) -> Skeleton {
     let mut skeleton = Skeleton::new();
     let mut ids: Vec<JointId> = Vec::new();
     let mut orders = Orders::default();
@@ -99,7 +99,7 @@ impl Orders {
 }
 
 /// A motion of `frames` frames in which every channel changes steadily, far beyond a full turn.
-pub(super) fn motion(dice: &mut Dice, skeleton: &Skeleton, frames: usize) -> Motion {
+pub(crate) fn motion(dice: &mut Dice, skeleton: &Skeleton, frames: usize) -> Motion {
     let tracks: Vec<(f32, f32)> = skeleton
         .joints()
         .iter()
@@ -116,6 +116,6 @@ pub(super) fn motion(dice: &mut Dice, skeleton: &Skeleton, frames: usize) -> Mot
 }
 
 /// A position that is not the joint's offset.
-pub(super) fn moved_position(dice: &mut Dice, offset: Vec3) -> Vec3 {
+pub(crate) fn moved_position(dice: &mut Dice, offset: Vec3) -> Vec3 {
     offset + dice.vector(3.0, 8.0)
 }

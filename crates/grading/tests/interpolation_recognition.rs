@@ -1,0 +1,224 @@
+//! What is said about several mistakes at once, about one that nobody knows, and about what is not a number.
+#![allow(clippy::unwrap_used)] // Helpers of tests.
+
+use std::time::Duration;
+
+use exam::{Functions, InProcess};
+use glam::{Quat, Vec3};
+use grading::interpolation::{RUBRIC, exam, misconceptions};
+use grading::{
+    CheckState, FirstCase, Misconception, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble,
+    WholeReport, grade_part, grade_whole_motion,
+};
+use skeleton::{Frame, InterpolationFunctions, LocalPose, Representation, RotationOrder, Skeleton};
+use solutions::INTERPOLATION;
+
+const NO_LIMIT: Duration = Duration::from_secs(3600);
+
+fn report(functions: InterpolationFunctions, part: usize) -> PartReport {
+    let exam = exam(PUBLIC_SEED, &Solutions);
+    grade_part(&mut InProcess(Functions::Interpolation(functions)), &exam.parts[part], NO_LIMIT)
+}
+
+fn names(report: &PartReport) -> Vec<&'static str> {
+    report.named.iter().map(|named| named.id).collect()
+}
+
+fn lost(report: &PartReport) -> Vec<&'static str> {
+    let lost = report.checks.iter().filter(|check| !matches!(check.state, CheckState::Right));
+    lost.map(|check| check.rubric.id).collect()
+}
+
+fn first_case<'a>(report: &'a PartReport, check: &str) -> &'a FirstCase {
+    let check = report.checks.iter().find(|known| known.rubric.id == check).unwrap();
+    let CheckState::Wrong(first) = &check.state else { panic!("{check:?}") };
+    first
+}
+
+#[test]
+fn a_straight_line_without_ends_is_two_misconceptions() {
+    let straight =
+        |from: [f32; 3], to: [f32; 3], t| std::array::from_fn(|axis| (1.0 - t) * from[axis] + t * to[axis]);
+    let report = report(InterpolationFunctions { interpolate_angles: straight, ..INTERPOLATION }, 0);
+    assert_eq!(names(&report), ["angles_straight", "angles_go_on"]);
+    assert_eq!(report.points(), 1);
+}
+
+/// The formula, and none of what needs care.
+fn textbook(from: Quat, to: Quat, t: f32) -> Quat {
+    let angle = from.dot(to).acos();
+    (from * ((1.0 - t) * angle).sin() + to * (t * angle).sin()) / angle.sin()
+}
+
+#[test]
+fn the_bare_formula_is_told_of_the_shorter_way_first() {
+    let report = report(InterpolationFunctions { slerp: textbook, ..INTERPOLATION }, 1);
+    assert_eq!(names(&report), ["no_shorter_way", "rotation_goes_on"]);
+    assert_eq!(lost(&report), ["shorter_way", "close", "ends"]);
+    assert!(report.named[0].seen_in.contains(&"close"), "that is what it costs");
+}
+
+#[test]
+fn a_scaled_line_is_recognised_although_it_does_not_take_the_shorter_way() {
+    let slerp = |from: Quat, to: Quat, t: f32| {
+        let t = t.clamp(0.0, 1.0);
+        (from * (1.0 - t) + to * t).normalize()
+    };
+    let report = report(InterpolationFunctions { slerp, ..INTERPOLATION }, 1);
+    assert_eq!(names(&report), ["uneven_speed"]);
+    assert_eq!(lost(&report), ["near", "shorter_way", "close"]);
+}
+
+#[test]
+fn rotations_and_positions_of_a_frame_are_named_independently() {
+    let functions = InterpolationFunctions {
+        interpolate_frame: |skeleton, from, to, t, _| {
+            let pose = (INTERPOLATION.interpolate_frame)(skeleton, from, to, t, Representation::Euler);
+            LocalPose { positions: from.local_positions.clone(), ..pose }
+        },
+        ..INTERPOLATION
+    };
+    let report = report(functions, 2);
+    assert_eq!(names(&report), ["always_euler", "positions_stay"]);
+    assert_eq!(report.points(), 2);
+}
+
+#[test]
+fn a_mistake_that_nobody_knows_is_not_given_a_name() {
+    let functions = InterpolationFunctions {
+        interpolate_angles: |from, to, t| {
+            (INTERPOLATION.interpolate_angles)(from, to, t).map(|angle| angle + 1.0)
+        },
+        slerp: |from, to, t| (INTERPOLATION.slerp)(from, to, t * t),
+        interpolate_frame: |skeleton, from, to, t, representation| {
+            (INTERPOLATION.interpolate_frame)(skeleton, from, to, t * t, representation)
+        },
+    };
+    for part in 0..3 {
+        let report = report(functions, part);
+        assert!(report.named.is_empty() && report.points() < 5, "{report:?}");
+        assert_ne!(report.state, PartState::NotStarted);
+    }
+}
+
+#[test]
+fn what_is_not_a_number_is_never_right() {
+    let functions = InterpolationFunctions {
+        interpolate_angles: |_, _, _| [f32::NAN; 3],
+        slerp: |_, _, _| Quat::from_xyzw(f32::NAN, 0.0, 0.0, 1.0),
+        interpolate_frame: |skeleton, _, _, _, _| LocalPose {
+            rotations: vec![Quat::from_xyzw(f32::NAN, 0.0, 0.0, 1.0); skeleton.len()],
+            positions: vec![Vec3::NAN; skeleton.len()],
+        },
+    };
+    for part in 0..3 {
+        let report = report(functions, part);
+        assert_eq!((report.points(), names(&report).len()), (0, 0), "{report:?}");
+        for check in &report.checks {
+            let CheckState::Wrong(first) = &check.state else { panic!("{check:?}") };
+            assert_eq!(first.wrong, first.cases);
+            assert!(first.difference.between.contains("not a number"), "{first:?}");
+        }
+    }
+}
+
+/// The right frame for so many joints, however many there are.
+fn for_joints<const JOINTS: usize>(
+    skeleton: &Skeleton,
+    from: &Frame,
+    to: &Frame,
+    t: f32,
+    representation: Representation,
+) -> LocalPose {
+    let mut pose = (INTERPOLATION.interpolate_frame)(skeleton, from, to, t, representation);
+    pose.rotations.resize(JOINTS, Quat::IDENTITY);
+    pose.positions.resize(JOINTS, Vec3::ZERO);
+    pose
+}
+
+#[test]
+fn lists_that_are_too_short_or_too_long_are_wrong() {
+    for interpolate_frame in [for_joints::<0>, for_joints::<1>, for_joints::<1000>] {
+        let functions = InterpolationFunctions { interpolate_frame, ..INTERPOLATION };
+        let report = report(functions, 2);
+        assert_eq!(report.points(), 0, "{report:?}");
+        assert!(first_case(&report, "euler").difference.expected.contains("one for every joint"));
+        let whole = whole(functions);
+        assert!(matches!(whole.trouble, Some(Trouble::Failed(_))), "{whole:?}");
+    }
+}
+
+#[test]
+fn one_wrong_order_of_six_is_pointed_out() {
+    let functions = InterpolationFunctions {
+        interpolate_frame: |skeleton, from, to, t, representation| {
+            let mut pose = (INTERPOLATION.interpolate_frame)(skeleton, from, to, t, representation);
+            for (joint, rotation) in skeleton.joints().iter().zip(&mut pose.rotations) {
+                if joint.rotation_order == RotationOrder::Zxy {
+                    *rotation = rotation.inverse();
+                }
+            }
+            pose
+        },
+        ..INTERPOLATION
+    };
+    let report = report(functions, 2);
+    let first = first_case(&report, "quaternion");
+    assert_eq!(first.groups, ["ZXY"]);
+    assert!(first.difference.got.starts_with("Hips (ZXY): "), "{first:?}");
+}
+
+fn whole(functions: InterpolationFunctions) -> WholeReport {
+    let whole = &exam(PUBLIC_SEED, &Solutions).whole_motion;
+    grade_whole_motion(&mut InProcess(Functions::Interpolation(functions)), whole, NO_LIMIT)
+}
+
+#[test]
+fn the_whole_motion_praises_what_is_right() {
+    let whole = whole(INTERPOLATION);
+    assert!(whole.trouble.is_none() && whole.frames == 9, "{whole:?}");
+    assert!(whole.praise.contains("all 9 moments"), "{}", whole.praise);
+}
+
+#[test]
+fn the_whole_motion_says_which_joint_is_farthest_off_and_when() {
+    let functions = InterpolationFunctions {
+        interpolate_frame: |skeleton, from, to, t, representation| {
+            let mut pose = (INTERPOLATION.interpolate_frame)(skeleton, from, to, t, representation);
+            let neck = skeleton.joints().iter().position(|joint| joint.name == "Neck").unwrap();
+            // Farthest at 0.625, and first at 0.25.
+            let off = if (0.2..0.9).contains(&t) { 10.0 - 8.0 * (t - 0.625).abs() } else { 0.0 };
+            pose.rotations[neck] *= Quat::from_rotation_x(off.to_radians());
+            pose.positions[neck].x += if t > 0.9 { 2.0 } else { 0.0 };
+            pose
+        },
+        ..INTERPOLATION
+    };
+    let Some(Trouble::Different { summary, details }) = whole(functions).trouble else { panic!() };
+    assert!(summary.ends_with("Neck is farthest off: 10.00° at t = 0.625."), "{summary}");
+    assert!(details[0].starts_with("At t = 0.25 the first joint that is off is Neck"), "{details:?}");
+    assert!(!details.iter().any(|line| line.contains("At t = 0 and t = 1 all joints are right")));
+}
+
+#[test]
+fn every_misconception_says_what_and_why_and_what_next() {
+    let mut ids = Vec::new();
+    for part in RUBRIC.parts {
+        for misconception in misconceptions(part.id) {
+            let Misconception { id, title, explanation, hint, costs, seen_in, variants } = misconception;
+            assert!(title.starts_with("You") && title.ends_with('.'), "{id}: {title}");
+            assert!(explanation.len() > 60 && explanation.ends_with('.'), "{id}: {explanation}");
+            assert!(hint.len() > 20, "{id}: {hint}");
+            assert!(!costs.is_empty() && !seen_in.is_empty() && !variants.is_empty(), "{id}");
+            assert!(
+                seen_in.iter().any(|check| costs.contains(check)),
+                "{id} is seen only where it costs nothing"
+            );
+            let known = |check: &&str| part.checks.iter().any(|known| known.id == *check);
+            assert!(seen_in.iter().chain(costs).all(known), "{id}: no such check in {}", part.id);
+            assert!(!ids.contains(&id), "{id} is there twice");
+            ids.push(id);
+        }
+    }
+    assert!(ids.len() >= 35, "{} misconceptions", ids.len());
+}
