@@ -39,10 +39,13 @@
 //!
 //! What the numbers mean is said at [`skeleton::acclaim`].
 //!
+//! [`to_joints`] and [`to_bones`] lead to the words of BVH and back.
+//!
 //! The format was defined by M. Schafer at Acclaim (*Acclaim Skeleton File Definition V1.10*, 1995). What goes beyond it
 //! here (`:DEGREES`, `:RADIANS`, `:FORCE-ALL-JOINTS-BE-3DOF`, comments anywhere) is what files of other programs hold.
 
 mod bones;
+mod convert;
 mod frames;
 mod hierarchy;
 mod kind;
@@ -61,6 +64,7 @@ use skeleton::acclaim::{Motion, Skeleton};
 use crate::source::Syntax;
 use crate::text;
 
+pub use convert::{ConvertError, to_bones, to_joints};
 pub use kind::{ErrorKind, Which};
 pub use warning::WarningKind;
 pub use write::{WriteError, write_motion, write_skeleton};

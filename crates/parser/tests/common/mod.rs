@@ -2,6 +2,7 @@
 #![allow(dead_code)] // Each test binary uses some of them.
 
 pub mod acclaim;
+pub mod bones;
 pub mod damage;
 pub mod pieces;
 pub mod repeated;
