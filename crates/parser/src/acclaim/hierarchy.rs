@@ -95,8 +95,8 @@ impl Hierarchy {
         };
         let mut skeleton = Skeleton::new(root).map_err(|error| refused(source, source.place(), error))?;
         let mut ids: Vec<Option<BoneId>> = vec![None; self.above.len()];
-        // For which bone each one was looked at last: meeting one again on the way up means going round in a circle.
-        let mut looked_at: Vec<Option<usize>> = vec![None; self.above.len()];
+        // A bone met again on the way up, before it was added, means going round in a circle.
+        let mut met = vec![false; self.above.len()];
         let mut waiting: Vec<usize> = Vec::new();
         for bone in 0..self.above.len() {
             let mut at = Node::Bone(bone);
@@ -105,7 +105,7 @@ impl Hierarchy {
                 if let Some(id) = ids[next] {
                     break id;
                 }
-                if looked_at[next].replace(bone) == Some(bone) {
+                if std::mem::replace(&mut met[next], true) {
                     return Err(self.cycle(source, next));
                 }
                 waiting.push(next);
