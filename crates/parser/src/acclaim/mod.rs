@@ -47,6 +47,7 @@
 mod bones;
 mod convert;
 mod frames;
+mod help;
 mod hierarchy;
 mod kind;
 mod near;
