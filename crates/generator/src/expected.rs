@@ -129,6 +129,6 @@ pub fn global_transforms(
 }
 
 /// All numbers to nine decimals, and none of them −0.
-fn rounded<const N: usize>(numbers: [f64; N]) -> [f64; N] {
+pub(crate) fn rounded<const N: usize>(numbers: [f64; N]) -> [f64; N] {
     numbers.map(|number| libm::round(number * 1e9) / 1e9 + 0.0)
 }

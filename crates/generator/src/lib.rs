@@ -1,7 +1,7 @@
 //! Makes the motions in `data/`, byte for byte the same on every system.
 //!
-//! [`data_files`] gives them all: three motions as BVH, and beside each a file that says where its joints are in
-//! three of its frames, computed in a second way.
+//! [`data_files`] gives them all: three motions as BVH and one as Acclaim skeleton and motion, and beside each a file that
+//! says where its joints or bones are in three of its frames, computed in a second way.
 //!
 //! Everything is computed in double precision with operations that IEEE 754 defines exactly (no fused
 //! multiply-add), and with the functions of the crate `libm` in place of the system's. Angles and positions are
@@ -12,6 +12,7 @@ mod arm;
 mod dance;
 mod error;
 mod expected;
+mod expected_bones;
 mod humanoid;
 mod leg;
 mod math;
@@ -20,12 +21,15 @@ mod recorder;
 mod running;
 mod spline;
 mod two_bones;
+mod walking;
 
 pub use arm::arm;
 pub use dance::dance;
 pub use error::Error;
 pub use expected::{expected, global_transforms};
+pub use expected_bones::{PlacedBone, expected_bones, place_bones};
 pub use running::running;
+pub use walking::walking;
 
 /// A file of the folder `data/`.
 pub struct DataFile {
@@ -49,5 +53,14 @@ pub fn data_files() -> Result<Vec<DataFile>, Error> {
         files.push(DataFile { name: name.to_string(), contents: text });
         files.push(DataFile { name: format!("{name}.expected.json"), contents: json });
     }
+    let walk = walking()?;
+    let (asf, amc) = ("walk.asf", "walk.amc");
+    let (mut skeleton, mut motion) = (Vec::new(), Vec::new());
+    parser::acclaim::write_skeleton(walk.skeleton(), &mut skeleton)?;
+    parser::acclaim::write_motion(&walk, &mut motion)?;
+    files.push(DataFile { name: asf.to_string(), contents: skeleton });
+    files.push(DataFile { name: amc.to_string(), contents: motion });
+    let json = expected_bones(asf, amc, &walk)?;
+    files.push(DataFile { name: format!("{amc}.expected.json"), contents: json });
     Ok(files)
 }

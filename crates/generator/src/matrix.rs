@@ -37,6 +37,11 @@ pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     product
 }
 
+/// The transpose: of a rotation its inverse.
+pub fn transposed(matrix: &Matrix) -> Matrix {
+    std::array::from_fn(|row| std::array::from_fn(|column| matrix[column][row]))
+}
+
 /// The matrix applied to a vector.
 pub fn apply(matrix: &Matrix, vector: Vector) -> Vector {
     matrix.map(|row| row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2])

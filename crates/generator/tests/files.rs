@@ -20,7 +20,7 @@ fn data(name: &str) -> Vec<u8> {
 #[test]
 fn the_files_in_data_are_those_that_the_generator_makes() {
     let files = files();
-    assert_eq!(files.len(), 6);
+    assert_eq!(files.len(), 9);
     for (name, contents) in files {
         assert!(data(&name) == contents, "data/{name} differs: run `cargo motions`");
     }
@@ -59,6 +59,46 @@ fn every_motion_is_read_back_as_it_was() {
         let reading = parser::bvh::read(&data(name)[..]).expect(name);
         assert!(reading.warnings.is_empty(), "{name}: {:?}", reading.warnings);
         assert!(reading.motion == motion.expect(name), "{name}");
+    }
+}
+
+#[test]
+fn the_walk_is_read_back_as_it_was() {
+    let walk = generator::walking().expect("the walk");
+    let skeleton = parser::acclaim::read_skeleton(&data("walk.asf")[..]).expect("walk.asf");
+    assert_eq!((&skeleton.skeleton, &skeleton.warnings[..]), (walk.skeleton(), &[][..]));
+    let motion = parser::acclaim::read_motion(&data("walk.amc")[..], &skeleton.skeleton).expect("walk.amc");
+    assert_eq!((motion.motion == walk, &motion.warnings[..]), (true, &[][..]));
+}
+
+/// The positions of the walk as joints come from quaternions in single precision, which share no code with the matrices.
+#[test]
+fn the_expected_positions_of_the_walk_are_those_of_the_reference_solution() {
+    let walk = generator::walking().expect("the walk");
+    let joints = parser::acclaim::to_joints(&walk, 1.0 / 120.0).expect("joints");
+    let expected: Value = serde_json::from_slice(&data("walk.amc.expected.json")).expect("JSON");
+    assert_eq!((&expected["asf"], &expected["amc"]), (&Value::from("walk.asf"), &Value::from("walk.amc")));
+    assert_eq!(expected["frames_total"], walk.frame_count());
+    let bones: Vec<&str> = walk.skeleton().bones().iter().map(|bone| bone.name.as_str()).collect();
+    assert_eq!(expected["bones"], Value::from(bones));
+    let frames = expected["frames"].as_array().expect("frames");
+    let indices: Vec<u64> = frames.iter().map(|frame| frame["frame"].as_u64().expect("an index")).collect();
+    assert_eq!(indices, [0, 240, 479]);
+    let mut pose = Pose::default();
+    for known in frames {
+        let index = known["frame"].as_u64().expect("an index") as usize;
+        assert_eq!(known["frame_number_in_file"], index + 1);
+        pose_frame(joints.skeleton(), &joints.frame(index), &solutions::FK, &mut pose);
+        for bone in walk.skeleton().bones() {
+            let named = |joint: &&skeleton::Joint| joint.name == bone.name && !joint.is_end_site;
+            let joint = joints.skeleton().joints().iter().find(named).expect("a joint");
+            let hung = joints.skeleton().joints().iter().find(|hung| hung.parent == Some(joint.id));
+            for (key, joint) in [("start", Some(joint)), ("end", hung)] {
+                let known = glam::Vec3::from_array(numbers(&known[key][bone.id.0]));
+                let found = pose[joint.expect("a joint").id].position;
+                assert!(found.distance(known) < 1e-5 * walk.skeleton().extent(), "{} {key}", bone.name);
+            }
+        }
     }
 }
 

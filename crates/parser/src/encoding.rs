@@ -26,6 +26,20 @@ pub(crate) fn detect(first: &[u8]) -> (Encoding, usize) {
     }
 }
 
+/// What a file may be that begins with these bytes, if they are no text that can be shown.
+pub(crate) fn not_a_text(word: &[u8]) -> Option<&'static str> {
+    match word {
+        [0x1f, 0x8b, ..] | [b'P', b'K', 3, 4, ..] => Some(" (compressed? unpack it first)"),
+        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] | [1..=255, 0, 0, 0, ..] | [0, 0, 0, 1..=255, ..] => {
+            Some(" (UTF-32? save it as UTF-8)")
+        }
+        word if word.iter().any(u8::is_ascii_control) || std::str::from_utf8(word).is_err() => {
+            Some(" (not a text?)")
+        }
+        _ => None,
+    }
+}
+
 /// Turns UTF-16 into UTF-8 on the way. What is no character becomes the replacement character, U+FFFD.
 pub(crate) struct FromUtf16<R> {
     input: R,

@@ -25,9 +25,19 @@ pub(crate) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | 0x0b | 0x0c)
 }
 
+/// What stands between the words of a format, besides blanks.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Syntax {
+    /// Each of these bytes is a word of its own.
+    pub marks: &'static [u8],
+    /// At the beginning of a word, this byte begins a comment: all up to the end of the line is left out.
+    pub comment: Option<u8>,
+}
+
 /// A text that is read in chunks.
 pub(crate) struct Source<'r> {
     input: &'r mut dyn Read,
+    syntax: Syntax,
     buffer: Vec<u8>,
     /// What has been read and not been taken: `buffer[start..end]`. In front of it stands a little of what has been
     /// taken of the current line, for messages.
@@ -65,16 +75,30 @@ pub(crate) struct WholeWords<'a> {
 }
 
 impl<'r> Source<'r> {
-    pub fn new(input: &'r mut dyn Read) -> Self {
+    pub fn new(input: &'r mut dyn Read, syntax: Syntax) -> Self {
         let lines = Lines { line: 1, start: 0, dropped: 0, after_return: false, lone_return: None };
-        Source { input, buffer: vec![0; CHUNK], start: 0, end: 0, exhausted: false, failure: None, lines }
+        Source {
+            input,
+            syntax,
+            buffer: vec![0; CHUNK],
+            start: 0,
+            end: 0,
+            exhausted: false,
+            failure: None,
+            lines,
+        }
     }
 
-    /// The next word, without taking it: all that stands in front of the next blank, brace or colon. A brace or a
-    /// colon is a word of its own. Empty at the end of the text.
+    /// The next word, without taking it: all that stands in front of the next blank or mark. A mark is a word of its
+    /// own. Empty at the end of the text.
     pub fn peek(&mut self) -> &[u8] {
+        self.peek_between(self.syntax.marks)
+    }
+
+    /// As [`Source::peek`], with other marks.
+    pub fn peek_between(&mut self, marks: &[u8]) -> &[u8] {
         self.skip_blanks();
-        let ends_word = |byte| is_blank(byte) || matches!(byte, b'{' | b'}' | b':');
+        let ends_word = |byte| is_blank(byte) || marks.contains(&byte);
         let length = match self.length_until(ends_word) {
             0 => 1.min(self.end - self.start),
             length => length,
@@ -87,6 +111,17 @@ impl<'r> Source<'r> {
         self.skip(|byte| is_blank(byte) && !is_line_break(byte));
         let length = self.length_until(is_line_break);
         &self.buffer[self.start..self.start + length]
+    }
+
+    /// Whether there is no other word in the current line.
+    pub fn line_ends(&mut self) -> bool {
+        self.skip(|byte| is_blank(byte) && !is_line_break(byte));
+        self.next().is_none_or(is_line_break) || self.skip_comment()
+    }
+
+    /// Takes the rest of the current line.
+    pub fn take_line(&mut self) {
+        self.skip(|byte| !is_line_break(byte));
     }
 
     /// Takes `bytes` bytes of what was just looked at.
@@ -159,11 +194,26 @@ impl<'r> Source<'r> {
     fn skip_blanks(&mut self) {
         loop {
             self.skip(|byte| is_blank(byte) && !is_line_break(byte));
-            if !self.buffer[self.start..self.end].first().is_some_and(|&byte| is_line_break(byte)) {
+            if self.next().is_some_and(is_line_break) {
+                self.start = self.lines.take_break(&self.buffer[..self.end], self.start);
+            } else if !self.skip_comment() {
                 return;
             }
-            self.start = self.lines.take_break(&self.buffer[..self.end], self.start);
         }
+    }
+
+    /// Takes a comment, up to the end of its line. Gives whether there was one.
+    fn skip_comment(&mut self) -> bool {
+        let found = self.next().is_some() && self.next() == self.syntax.comment;
+        if found {
+            self.take_line();
+        }
+        found
+    }
+
+    /// The next byte, if it has been read; it has been after a [`Source::skip`] unless the text ends.
+    fn next(&self) -> Option<u8> {
+        self.buffer[self.start..self.end].first().copied()
     }
 
     /// Takes all bytes up to the first that is not `wanted`.

@@ -2,29 +2,12 @@
 
 mod common;
 
-use std::io::{self, Read};
+use std::io::Read;
 
+use common::pieces::Pieces;
 use common::{GOOD, with};
 use parser::bvh;
 use proptest::prelude::*;
-
-/// Gives a text in pieces of the given sizes, over and over; where a size is 0, the system interrupts the call.
-struct Pieces<'a> {
-    text: &'a [u8],
-    sizes: std::iter::Cycle<std::slice::Iter<'a, usize>>,
-}
-
-impl Read for Pieces<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        match self.sizes.next().copied().unwrap_or(1) {
-            0 => Err(io::ErrorKind::Interrupted.into()),
-            size => {
-                let size = size.min(buffer.len());
-                self.text.read(&mut buffer[..size])
-            }
-        }
-    }
-}
 
 /// All that can be seen of a reading: the motion to the last bit, the warnings, or the whole message.
 fn outcome(source: impl Read) -> String {
@@ -71,7 +54,7 @@ proptest! {
     #[test]
     fn pieces_do_not_matter(text in texts(), sizes in prop::collection::vec(0usize..40, 1..20)) {
         prop_assume!(sizes.iter().any(|&size| size > 0));
-        let pieces = Pieces { text: &text, sizes: sizes.iter().cycle() };
+        let pieces = Pieces::new(&text, &sizes);
         prop_assert_eq!(outcome(pieces), outcome(&text[..]));
     }
 }

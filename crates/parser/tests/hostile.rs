@@ -4,14 +4,15 @@
 
 mod common;
 
-use std::io::{self, Read};
+use std::io::Read;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use common::damage::any_damage;
+use common::repeated::repeated;
 use common::{GOOD, with};
 use parser::bvh;
 use peak_alloc::PeakAlloc;
 use proptest::prelude::*;
-use proptest::sample::Index;
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
@@ -35,43 +36,6 @@ fn measure(source: impl Read) -> (Result<bvh::Reading, bvh::Error>, usize) {
     MEMORY.reset_peak_usage();
     let result = bvh::read(source);
     (result, MEMORY.peak_usage().saturating_sub(before))
-}
-
-/// A text of which parts are repeated many times and never all there.
-fn repeated<'a>(parts: &'a [(&'a str, u64)]) -> impl Read + 'a {
-    struct Repeated<'a> {
-        parts: std::slice::Iter<'a, (&'a str, u64)>,
-        part: io::Take<Cycle<'a>>,
-    }
-    struct Cycle<'a>(&'a [u8], usize);
-
-    impl Read for Cycle<'_> {
-        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-            for byte in buffer.iter_mut() {
-                *byte = self.0[self.1];
-                self.1 = (self.1 + 1) % self.0.len();
-            }
-            Ok(buffer.len())
-        }
-    }
-
-    impl Read for Repeated<'_> {
-        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-            loop {
-                match self.part.read(buffer)? {
-                    0 => match self.parts.next() {
-                        Some((text, times)) => {
-                            self.part = Cycle(text.as_bytes(), 0).take(text.len() as u64 * times);
-                        }
-                        None => return Ok(0),
-                    },
-                    read => return Ok(read),
-                }
-            }
-        }
-    }
-
-    Repeated { parts: parts.iter(), part: Cycle(b" ", 0).take(0) }
 }
 
 const FRAMES: &str = "1 2 3\n4 5 6\n";
@@ -219,85 +183,34 @@ fn many_complaints_take_no_memory() {
     assert!(memory < PER_BYTE * names.len() * roots as usize);
 }
 
-/// One way to spoil a text.
-#[derive(Clone, Debug)]
-enum Damage {
-    Flip(Index, u8),
-    Truncate(Index),
-    RemoveLine(Index),
-    RepeatLine(Index),
-    RemoveWord(Index),
-    RepeatWord(Index),
-    Insert(Index, &'static [u8]),
-}
-
-fn any_damage() -> impl Strategy<Value = Damage> {
-    const JUNK: &[&[u8]] = &[
-        b"{",
-        b"}",
-        b"\n}\n",
-        b" { ",
-        b":",
-        b"\0",
-        b"\xff\xfe",
-        b"\xef\xbb\xbf",
-        b"\r",
-        b"\n\n",
-        b" nan ",
-        b" 1e999 ",
-        b" -",
-        b"9999999999999999999",
-        b"CHANNELS 999999999 ",
-        b" Xrotation ",
-        b"Frames: 1000000000000\n",
-        b"<<<<<<< HEAD\n",
-        b"ROOT a\n{\n",
-        b"JOINT b\n{\nOFFSET 1 1 1\n",
-        b"End Site\n{\n",
-        b"MOTION\n",
-        b"\xf0\x9f",
-        b",",
-        b"\x1b[31m",
-        b"HIERARCHY\n",
-    ];
-    let place = any::<Index>;
-    prop_oneof![
-        (place(), any::<u8>()).prop_map(|(at, bits)| Damage::Flip(at, bits)),
-        place().prop_map(Damage::Truncate),
-        place().prop_map(Damage::RemoveLine),
-        place().prop_map(Damage::RepeatLine),
-        place().prop_map(Damage::RemoveWord),
-        place().prop_map(Damage::RepeatWord),
-        (place(), prop::sample::select(JUNK)).prop_map(|(at, junk)| Damage::Insert(at, junk)),
-    ]
-}
-
-impl Damage {
-    fn apply(&self, text: &mut Vec<u8>) {
-        if text.is_empty() {
-            return;
-        }
-        match self {
-            Damage::Flip(at, bits) => *at.get_mut(text) ^= bits,
-            Damage::Truncate(at) => text.truncate(at.index(text.len())),
-            Damage::Insert(at, junk) => {
-                let at = at.index(text.len());
-                text.splice(at..at, junk.iter().copied());
-            }
-            Damage::RemoveLine(at) => *text = edit(text, b'\n', at.index(text.len()), 0),
-            Damage::RepeatLine(at) => *text = edit(text, b'\n', at.index(text.len()), 2),
-            Damage::RemoveWord(at) => *text = edit(text, b' ', at.index(text.len()), 0),
-            Damage::RepeatWord(at) => *text = edit(text, b' ', at.index(text.len()), 2),
-        }
-    }
-}
-
-/// The text with the piece around byte `at`, between two `end`s, as often as said.
-fn edit(text: &[u8], end: u8, at: usize, times: usize) -> Vec<u8> {
-    let start = text[..at].iter().rposition(|&byte| byte == end).map_or(0, |last| last + 1);
-    let stop = text[at..].iter().position(|&byte| byte == end).map_or(text.len(), |next| at + next + 1);
-    [&text[..start], &text[start..stop].repeat(times), &text[stop..]].concat()
-}
+const JUNK: &[&[u8]] = &[
+    b"{",
+    b"}",
+    b"\n}\n",
+    b" { ",
+    b":",
+    b"\0",
+    b"\xff\xfe",
+    b"\xef\xbb\xbf",
+    b"\r",
+    b"\n\n",
+    b" nan ",
+    b" 1e999 ",
+    b" -",
+    b"9999999999999999999",
+    b"CHANNELS 999999999 ",
+    b" Xrotation ",
+    b"Frames: 1000000000000\n",
+    b"<<<<<<< HEAD\n",
+    b"ROOT a\n{\n",
+    b"JOINT b\n{\nOFFSET 1 1 1\n",
+    b"End Site\n{\n",
+    b"MOTION\n",
+    b"\xf0\x9f",
+    b",",
+    b"\x1b[31m",
+    b"HIERARCHY\n",
+];
 
 /// A text with everything in it that the reader knows.
 const RICH: &str = "HIERARCHY\r
@@ -325,7 +238,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn a_damaged_text_is_read_or_refused(rich in any::<bool>(), damages in prop::collection::vec(any_damage(), 1..6)) {
+    fn a_damaged_text_is_read_or_refused(rich in any::<bool>(), damages in prop::collection::vec(any_damage(JUNK), 1..6)) {
         let mut text = if rich { RICH } else { GOOD }.as_bytes().to_vec();
         damages.iter().for_each(|damage| damage.apply(&mut text));
         let _turn = take_turns();

@@ -1,6 +1,8 @@
 //! A motion as the tests look at it: every joint's path, by the matrices of the expected values.
 #![allow(dead_code)] // Each test file uses some of it.
 
+pub mod bones;
+
 use generator::global_transforms;
 use glam::{DMat3, DVec3};
 use skeleton::{Channel, Joint, Motion, PositionChannels};

@@ -3,12 +3,13 @@
 use glam::Vec3;
 use skeleton::{Channel, JointId, Skeleton, SkeletonError};
 
-use super::error::is_conflict_mark;
-use super::warning::warn;
-use super::{Error, ErrorKind, Warning, WarningKind, words};
-use crate::Snippet;
+use super::{Error, ErrorKind, Warning, WarningKind};
+use crate::encoding::not_a_text;
+use crate::error::is_conflict_mark;
 use crate::snippet::printable_start;
 use crate::source::{LONGEST_WORD, Place, Source, is_blank};
+use crate::warning::warn;
+use crate::{Snippet, words};
 
 /// Reads everything from `HIERARCHY` up to `MOTION`, which is taken too.
 pub(super) fn read(source: &mut Source, warnings: &mut Vec<Warning>) -> Result<Skeleton, Error> {
@@ -272,18 +273,4 @@ fn not_a_hierarchy(source: &mut Source) -> Error {
         },
     };
     Error::here(source, ErrorKind::NotBvh { found, guess })
-}
-
-/// What a file may be that begins with these bytes, if they are no text that can be shown.
-fn not_a_text(word: &[u8]) -> Option<&'static str> {
-    match word {
-        [0x1f, 0x8b, ..] | [b'P', b'K', 3, 4, ..] => Some(" (compressed? unpack it first)"),
-        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] | [1..=255, 0, 0, 0, ..] | [0, 0, 0, 1..=255, ..] => {
-            Some(" (UTF-32? save it as UTF-8)")
-        }
-        word if word.iter().any(u8::is_ascii_control) || std::str::from_utf8(word).is_err() => {
-            Some(" (not a text?)")
-        }
-        _ => None,
-    }
 }

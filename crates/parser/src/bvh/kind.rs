@@ -4,6 +4,10 @@ use std::io;
 
 use skeleton::{Channel, MotionError, SkeletonError};
 
+use crate::error::{Common, Kind, Problem};
+use crate::number::BadNumber;
+use crate::shown::counted;
+
 /// What is wrong: what was found and what was expected.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -163,9 +167,26 @@ pub enum ErrorKind {
     },
 }
 
-impl ErrorKind {
-    /// What to do, in one or two sentences.
-    pub(super) fn help(&self) -> &'static str {
+impl From<Problem> for ErrorKind {
+    fn from(Problem(problem): Problem) -> Self {
+        match problem {
+            Common::Io(cause) => ErrorKind::Io(cause),
+            Common::Ended { expected } => ErrorKind::Ended { expected },
+            Common::Unexpected { found, expected } => ErrorKind::Unexpected { found, expected },
+            Common::MergeConflict { found } => ErrorKind::MergeConflict { found },
+            Common::LargeCount { found, expected } => ErrorKind::LargeCount { found, expected },
+            Common::BadNumber { found, problem, longest } => match problem {
+                BadNumber::NotANumber => ErrorKind::NotANumber { found },
+                BadNumber::Separator => ErrorKind::Separator { found },
+                BadNumber::NotFinite => ErrorKind::NotFinite { found },
+                BadNumber::TooLong => ErrorKind::LongNumber { longest },
+            },
+        }
+    }
+}
+
+impl Kind for ErrorKind {
+    fn help(&self) -> &'static str {
         match self {
             ErrorKind::Io(_) => "Check that the file is a file, and that you may read it.",
             ErrorKind::Empty | ErrorKind::NotBvh { .. } => "Check that this is the file you mean.",
@@ -218,9 +239,4 @@ fn about_rows(odd_line: Option<(u64, u64)>, found: u64, channels: u64) -> String
         None if found == 0 => String::from("There are no frames at all"),
         None => format!("Every line holds {}, as it should", counted(channels, "number")),
     }
-}
-
-/// `1 number`, `2 numbers`.
-pub(super) fn counted(count: u64, thing: &str) -> String {
-    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }

@@ -32,28 +32,33 @@
 //! rotation channels, position channels on any joint, leaf joints without an End Site, everything about blanks
 //! and line ends) is what files of other programs hold.
 
-mod error;
 mod hierarchy;
 mod kind;
 mod motion;
 mod rows;
 mod warning;
-mod words;
 mod write;
 
-use std::fs::File;
-use std::io::{Chain, Read};
-use std::path::{Path, PathBuf};
+use std::io::Read;
+use std::path::Path;
 
 use skeleton::Motion;
 
-use crate::encoding::{self, Encoding, FromUtf16};
-use crate::source::Source;
+use crate::source::{Source, Syntax};
+use crate::text;
 
-pub use error::{Error, FileError};
 pub use kind::ErrorKind;
-pub use warning::{Warning, WarningKind};
+pub use warning::WarningKind;
 pub use write::{WriteError, write};
+
+/// Why a text is not BVH, and where.
+pub type Error = crate::Error<ErrorKind>;
+
+/// Why a file cannot be read as BVH.
+pub type FileError = crate::FileError<ErrorKind>;
+
+/// Something odd in a BVH text that could be read all the same.
+pub type Warning = crate::Warning<WarningKind>;
 
 /// A motion that has been read, and what was odd about its file.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,18 +78,7 @@ pub struct Reading {
 ///
 /// When the text is not BVH, holds too few numbers, or cannot be read. See [`ErrorKind`].
 pub fn read(source: impl Read) -> Result<Reading, Error> {
-    let mut source = source;
-    let mut first = Vec::with_capacity(4);
-    source.by_ref().take(4).read_to_end(&mut first).map_err(Error::unread)?;
-    let (encoding, mark) = encoding::detect(&first);
-    let mut text: Chain<&[u8], _> = first[mark..].chain(source);
-    match encoding {
-        Encoding::Utf8 => read_text(Source::new(&mut text), Vec::new()),
-        Encoding::Utf16 { little_endian } => {
-            let warning = Warning { line: 1, column: 1, kind: WarningKind::Utf16 };
-            read_text(Source::new(&mut FromUtf16::new(text, little_endian)), vec![warning])
-        }
-    }
+    text::read(source, SYNTAX, WarningKind::Utf16, read_text)
 }
 
 /// Reads a BVH file. See [`read`].
@@ -94,20 +88,15 @@ pub fn read(source: impl Read) -> Result<Reading, Error> {
 /// When the file cannot be opened, or [`read`] fails. The message begins with the path and, where there is one, the
 /// place: `walk.bvh:12:26: …`
 pub fn read_file(path: impl AsRef<Path>) -> Result<Reading, FileError> {
-    let path = path.as_ref();
-    let file = File::open(path).map_err(|cause| FileError::Open { path: PathBuf::from(path), cause })?;
-    read(file).map_err(|cause| FileError::Read { path: PathBuf::from(path), cause })
+    text::read_file(path.as_ref(), read)
 }
 
-fn read_text(mut source: Source, mut warnings: Vec<Warning>) -> Result<Reading, Error> {
-    let skeleton = hierarchy::read(&mut source, &mut warnings)?;
-    let motion = motion::read(&mut source, skeleton, &mut warnings)?;
-    if let Some(line) = source.lone_return() {
-        warnings.push(Warning { line, column: 1, kind: WarningKind::LoneReturn });
-    }
-    if let Some(cause) = source.take_failure() {
-        return Err(Error::here(&mut source, ErrorKind::Io(cause)));
-    }
-    warnings.sort_by_key(|warning| (warning.line, warning.column));
+/// Braces and colons are words of their own.
+const SYNTAX: Syntax = Syntax { marks: b"{}:", comment: None };
+
+fn read_text(source: &mut Source, mut warnings: Vec<Warning>) -> Result<Reading, Error> {
+    let skeleton = hierarchy::read(source, &mut warnings)?;
+    let motion = motion::read(source, skeleton, &mut warnings)?;
+    let warnings = text::finish(source, warnings, WarningKind::LoneReturn)?;
     Ok(Reading { motion, warnings })
 }

@@ -2,13 +2,14 @@
 
 use skeleton::{Motion, Skeleton};
 
-use super::error::is_conflict_mark;
 use super::rows::Rows;
-use super::warning::warn;
-use super::{Error, ErrorKind, Warning, WarningKind, words};
+use super::{Error, ErrorKind, Warning, WarningKind};
+use crate::error::is_conflict_mark;
 use crate::number::{self, BadNumber};
 use crate::snippet::printable_start;
 use crate::source::{Lines, Place, Source, WholeWords, is_blank};
+use crate::warning::warn;
+use crate::words;
 
 /// The fewest numbers that room is made for at once.
 const LEAST_ROOM: usize = 16 * 1024;

@@ -1,21 +1,6 @@
 //! What is read although it is not as it should be.
 
-use std::fmt;
-
-use super::kind::counted;
-use super::write::Shortest;
-use crate::source::Place;
-
-/// Something odd in a text that could be read all the same.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Warning {
-    /// Where: the line, from 1.
-    pub line: u64,
-    /// Where in the line: the character, from 1.
-    pub column: u64,
-    /// What.
-    pub kind: WarningKind,
-}
+use crate::shown::{Shortest, counted};
 
 /// What is odd, and what has been made of it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -100,18 +85,4 @@ pub enum WarningKind {
         /// The first word of it.
         found: String,
     },
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}, column {}: {}", self.line, self.column, self.kind)
-    }
-}
-
-/// Adds a warning, unless there is one of its kind already: a bad file must not fill the memory with complaints.
-pub(super) fn warn(warnings: &mut Vec<Warning>, place: Place, kind: WarningKind) {
-    let same = |other: &Warning| std::mem::discriminant(&other.kind) == std::mem::discriminant(&kind);
-    if !warnings.iter().any(same) {
-        warnings.push(Warning { line: place.line, column: place.column, kind });
-    }
 }

@@ -1,11 +1,11 @@
 //! Writes a motion as BVH.
 
-use std::fmt;
 use std::io::{self, Write};
 
 use glam::Vec3;
 use skeleton::{Joint, JointId, Motion, Skeleton};
 
+use crate::shown::Shortest;
 use crate::source::{LONGEST_WORD, is_blank};
 
 /// Writes `motion` as BVH: [`read`](super::read) makes the same motion of it, to the last bit.
@@ -80,20 +80,6 @@ fn close_down_to(parent: Option<JointId>, open: &mut Vec<JointId>, out: &mut imp
 fn indent(depth: usize, out: &mut impl Write) -> io::Result<()> {
     const TABS: [u8; 100] = [b'\t'; 100];
     out.write_all(&TABS[..depth.min(TABS.len())])
-}
-
-/// A number in the fewest digits that read back as the same number; with an exponent if it is very small or large.
-pub(super) struct Shortest<F>(pub F);
-
-impl<F: Copy + Into<f64> + fmt::Display + fmt::LowerExp> fmt::Display for Shortest<F> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let magnitude: f64 = self.0.into().abs();
-        if magnitude == 0.0 || (1e-5..1e9).contains(&magnitude) {
-            write!(f, "{}", self.0)
-        } else {
-            write!(f, "{:e}", self.0)
-        }
-    }
 }
 
 /// Why the format cannot hold a motion.

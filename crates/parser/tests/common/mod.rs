@@ -1,6 +1,12 @@
 //! Texts that the tests start from.
 #![allow(dead_code)] // Each test binary uses some of them.
 
+pub mod acclaim;
+pub mod bones;
+pub mod damage;
+pub mod pieces;
+pub mod repeated;
+
 /// A small, flawless file: one joint, one End Site, two frames of three channels.
 pub const GOOD: &str = "\
 HIERARCHY

@@ -135,7 +135,7 @@ pub struct Bone {
     /// What can move, in the order of the motion's numbers; nothing for a bone that is fixed to its parent.
     pub dofs: Vec<DegreeOfFreedom>,
     /// In which order the rotations about the bone's own axes are multiplied, the first one leftmost: that of the dofs
-    /// from last to first. `None` for a bone that does not turn.
+    /// from last to first. `None` for a bone without dofs.
     pub rotation_order: RotationOrder,
     /// C: turns the world's axes into the bone's own, in the rest pose.
     pub axis_rotation: Quat,
@@ -162,14 +162,14 @@ impl Bone {
 /// that is missing has the angle zero, so that it may stand anywhere. It stands where the list would be X, Y, Z if
 /// that can be, because programs that let all bones turn about all axes mean that.
 pub(super) fn rotation_order(dofs: &[DegreeOfFreedom]) -> RotationOrder {
+    if dofs.is_empty() {
+        return RotationOrder::None;
+    }
     let mut axes: Vec<Axis> = Vec::with_capacity(3);
     for dof in dofs {
         if let Channel::Rotation(axis) = dof.channel {
             axes.push(axis);
         }
-    }
-    if axes.is_empty() {
-        return RotationOrder::None;
     }
     if axes.is_sorted_by_key(|axis| axis.index()) {
         axes = Axis::ALL.to_vec();

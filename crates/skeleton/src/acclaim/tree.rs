@@ -1,6 +1,6 @@
 //! The skeleton: the root and its bones, parents first.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Index;
 
@@ -27,16 +27,15 @@ pub struct Skeleton {
     bones: Vec<Bone>,
     /// The last child of each bone, where the next one is hung on.
     last_children: Vec<Option<BoneId>>,
-    by_name: HashMap<String, BoneId>,
+    by_name: BTreeMap<String, BoneId>,
 }
 
 /// What a file says of the root.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Root {
-    /// What can move, in the order of the motion's numbers (`order` in a file). Of the rotations the last one is
-    /// leftmost in the product.
-    pub dofs: Vec<DegreeOfFreedom>,
+    /// What can move, in the order of the motion's numbers. Of the rotations the last one is leftmost in the product.
+    pub order: Vec<Channel>,
     /// How the root's own axes are turned against the world's: the angles of `orientation`, in the order of `axis`.
     pub orientation: LocalAxes,
     /// What is added to the root's translation in every frame, in the file's unit.
@@ -47,11 +46,7 @@ impl Default for Root {
     /// A root that moves along and turns about all three axes: tx ty tz rx ry rz.
     fn default() -> Self {
         let channels = Axis::ALL.map(Channel::Position).into_iter().chain(Axis::ALL.map(Channel::Rotation));
-        Root {
-            dofs: channels.map(DegreeOfFreedom::unlimited).collect(),
-            orientation: LocalAxes::WORLD,
-            position: Vec3::ZERO,
-        }
+        Root { order: channels.collect(), orientation: LocalAxes::WORLD, position: Vec3::ZERO }
     }
 }
 
@@ -92,14 +87,15 @@ impl Skeleton {
     ///
     /// When a dof occurs twice, or the orientation has no order.
     pub fn new(root: Root) -> Result<Self, SkeletonError> {
-        let Root { dofs, orientation, position } = root;
+        let Root { order, orientation, position } = root;
+        let dofs = order.into_iter().map(DegreeOfFreedom::unlimited).collect();
         let mut skeleton = Skeleton {
             name: String::new(),
             units: Units::default(),
             position,
             bones: Vec::new(),
             last_children: Vec::new(),
-            by_name: HashMap::new(),
+            by_name: BTreeMap::new(),
         };
         let (name, axis) = (String::from(ROOT), orientation);
         skeleton.add(None, BoneData { name, direction: Vec3::ZERO, length: 0.0, axis, dofs })?;
@@ -116,10 +112,18 @@ impl Skeleton {
         if self.get(parent).is_none() {
             return Err(SkeletonError::UnknownParent(parent));
         }
-        if !is_name(&bone.name) {
+        if !Skeleton::accepts_name(&bone.name) {
             return Err(SkeletonError::Name(bone.name));
         }
         self.add(Some(parent), bone)
+    }
+
+    /// Whether a bone can be called like this, so that files can refer to it: by a word that means nothing else there.
+    pub fn accepts_name(name: &str) -> bool {
+        (1..=LONGEST_NAME).contains(&name.len())
+            && !name.starts_with([':', '#'])
+            && !name.contains(|c: char| c.is_ascii_whitespace() || c == '\x0b')
+            && !["begin", "end", ROOT].into_iter().any(|word| name.eq_ignore_ascii_case(word))
     }
 
     fn add(&mut self, parent: Option<BoneId>, bone: BoneData) -> Result<BoneId, SkeletonError> {
@@ -241,14 +245,6 @@ const ROOT: &str = "root";
 /// The longest name, in bytes.
 const LONGEST_NAME: usize = 4096;
 
-/// Whether a file can refer to a bone by this name: a word that means nothing else there.
-fn is_name(name: &str) -> bool {
-    (1..=LONGEST_NAME).contains(&name.len())
-        && !name.starts_with([':', '#'])
-        && !name.contains(|c: char| c.is_ascii_whitespace() || c == '\x0b')
-        && !["begin", "end", ROOT].into_iter().any(|word| name.eq_ignore_ascii_case(word))
-}
-
 /// A skeleton as it travels between processes.
 #[cfg(feature = "serde")]
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -268,7 +264,10 @@ impl From<Skeleton> for Plain {
         let mut plain = Vec::with_capacity(bones.len());
         for Bone { name, parent, direction, length, axis, dofs, .. } in bones {
             match parent {
-                None => (root.dofs, root.orientation) = (dofs, axis),
+                None => {
+                    root.order = dofs.iter().map(|dof| dof.channel).collect();
+                    root.orientation = axis;
+                }
                 Some(parent) => plain.push((parent, BoneData { name, direction, length, axis, dofs })),
             }
         }

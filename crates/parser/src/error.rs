@@ -4,26 +4,52 @@ use std::fmt;
 use std::io;
 use std::path::PathBuf;
 
-use super::ErrorKind;
 use crate::Snippet;
 use crate::number::BadNumber;
 use crate::snippet::{printable, printable_start};
 use crate::source::{LONGEST_WORD, Place, Source};
+
+/// What can be wrong with a text of one format: the `ErrorKind` of that format.
+pub trait Kind: std::error::Error + From<Problem> {
+    /// What to do, in one or two sentences.
+    fn help(&self) -> &'static str;
+}
+
+/// What can be wrong with a text of any format.
+#[derive(Debug)]
+pub struct Problem(pub(crate) Common);
+
+/// See [`Problem`].
+#[derive(Debug)]
+pub(crate) enum Common {
+    /// The system could not read on.
+    Io(io::Error),
+    /// The text ends too soon.
+    Ended { expected: &'static str },
+    /// Another word was expected.
+    Unexpected { found: String, expected: &'static str },
+    /// Version control has left this mark.
+    MergeConflict { found: String },
+    /// A count is larger than any that can be held.
+    LargeCount { found: String, expected: &'static str },
+    /// A number is none that can be used.
+    BadNumber { found: String, problem: BadNumber, longest: usize },
+}
 
 /// Why a text cannot be read, and where.
 ///
 /// Shown as one line that says where and what, the source line with a mark below the place (where there is one to
 /// show), and a line that says what to do.
 #[derive(Debug)]
-pub struct Error {
+pub struct Error<K> {
     place: Place,
     snippet: Option<Snippet>,
-    kind: Box<ErrorKind>,
+    kind: Box<K>,
 }
 
 /// Why a file cannot be read.
 #[derive(Debug)]
-pub enum FileError {
+pub enum FileError<K> {
     /// It cannot be opened.
     Open {
         /// The file.
@@ -36,11 +62,11 @@ pub enum FileError {
         /// The file.
         path: PathBuf,
         /// What is wrong in it, and where.
-        cause: Error,
+        cause: Error<K>,
     },
 }
 
-impl Error {
+impl<K: Kind> Error<K> {
     /// Where: the line, from 1.
     pub fn line(&self) -> u64 {
         self.place.line
@@ -52,7 +78,7 @@ impl Error {
     }
 
     /// What is wrong.
-    pub fn kind(&self) -> &ErrorKind {
+    pub fn kind(&self) -> &K {
         &self.kind
     }
 
@@ -68,8 +94,8 @@ impl Error {
 
     /// An error at the next word of `source`. If the text only seems to be at fault because the system could not
     /// read on, the error says that.
-    pub(super) fn here(source: &mut Source, kind: ErrorKind) -> Self {
-        let kind = source.take_failure().map_or(kind, ErrorKind::Io);
+    pub(crate) fn here(source: &mut Source, kind: K) -> Self {
+        let kind = source.take_failure().map_or(kind, |cause| Problem(Common::Io(cause)).into());
         let place = source.place();
         let snippet = Some(source.snippet()).filter(|snippet| !snippet.is_empty());
         Error { place, snippet, kind: Box::new(kind) }
@@ -77,60 +103,56 @@ impl Error {
 
     /// An error at a place of `source` that has been left behind, and what is to be shown of its line. As
     /// [`Error::here`], if the system could not read on.
-    pub(super) fn before(
-        place: Place,
-        snippet: Option<Snippet>,
-        source: &mut Source,
-        kind: ErrorKind,
-    ) -> Self {
+    pub(crate) fn before(place: Place, snippet: Option<Snippet>, source: &mut Source, kind: K) -> Self {
         match source.take_failure() {
-            Some(cause) => Error::here(source, ErrorKind::Io(cause)),
+            Some(cause) => Error::here(source, Problem(Common::Io(cause)).into()),
             None => Error { place, snippet, kind: Box::new(kind) },
         }
     }
 
     /// The system could not read anything.
-    pub(super) fn unread(cause: io::Error) -> Self {
-        Error { place: Place { line: 1, column: 1 }, snippet: None, kind: Box::new(ErrorKind::Io(cause)) }
+    pub(crate) fn unread(cause: io::Error) -> Self {
+        Error {
+            place: Place { line: 1, column: 1 },
+            snippet: None,
+            kind: Box::new(Problem(Common::Io(cause)).into()),
+        }
     }
 
     /// The next word of `source` is not what was `expected`.
-    pub(super) fn unexpected(source: &mut Source, expected: &'static str) -> Self {
-        let kind = match source.peek() {
-            [] => ErrorKind::Ended { expected },
-            word if is_conflict_mark(word) => ErrorKind::MergeConflict { found: printable_start(word) },
-            word => ErrorKind::Unexpected { found: printable_start(word), expected },
+    pub(crate) fn unexpected(source: &mut Source, expected: &'static str) -> Self {
+        let problem = match source.peek() {
+            [] => Common::Ended { expected },
+            word if is_conflict_mark(word) => Common::MergeConflict { found: printable_start(word) },
+            word => Common::Unexpected { found: printable_start(word), expected },
         };
-        Error::here(source, kind)
+        Error::here(source, Problem(problem).into())
     }
 
     /// `word`, the next of `source`, is not a usable number.
-    pub(super) fn bad_number(source: &mut Source, word: &[u8], problem: BadNumber) -> Self {
+    pub(crate) fn bad_number(source: &mut Source, word: &[u8], problem: BadNumber) -> Self {
         let found = printable_start(word);
-        let kind = match problem {
-            _ if word.is_empty() => ErrorKind::Ended { expected: "a number" },
-            _ if is_conflict_mark(word) => ErrorKind::MergeConflict { found },
-            BadNumber::NotANumber => ErrorKind::NotANumber { found },
-            BadNumber::Separator => ErrorKind::Separator { found },
-            BadNumber::NotFinite => ErrorKind::NotFinite { found },
-            BadNumber::TooLong => ErrorKind::LongNumber { longest: LONGEST_WORD },
+        let problem = match problem {
+            _ if word.is_empty() => Common::Ended { expected: "a number" },
+            _ if is_conflict_mark(word) => Common::MergeConflict { found },
+            problem => Common::BadNumber { found, problem, longest: LONGEST_WORD },
         };
-        Error::here(source, kind)
+        Error::here(source, Problem(problem).into())
     }
 }
 
 /// Whether `word` is one of the marks that version control leaves in a file.
-pub(super) fn is_conflict_mark(word: &[u8]) -> bool {
+pub(crate) fn is_conflict_mark(word: &[u8]) -> bool {
     matches!(word.get(..7), Some(b"<<<<<<<" | b"=======" | b">>>>>>>" | b"|||||||"))
 }
 
-impl fmt::Display for Error {
+impl<K: Kind> fmt::Display for Error<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "line {}, column {}: {}", self.line(), self.column(), Details(self))
     }
 }
 
-impl fmt::Display for FileError {
+impl<K: Kind> fmt::Display for FileError<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (FileError::Open { path, .. } | FileError::Read { path, .. }) = self;
         write!(f, "{}:", printable(&path.to_string_lossy()))?;
@@ -144,9 +166,9 @@ impl fmt::Display for FileError {
 }
 
 /// All of an error but the place.
-struct Details<'a>(&'a Error);
+struct Details<'a, K>(&'a Error<K>);
 
-impl fmt::Display for Details<'_> {
+impl<K: Kind> fmt::Display for Details<'_, K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Details(error) = self;
         write!(f, "{}", error.kind)?;
@@ -157,13 +179,13 @@ impl fmt::Display for Details<'_> {
     }
 }
 
-impl std::error::Error for Error {
+impl<K: Kind> std::error::Error for Error<K> {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         std::error::Error::source(&*self.kind)
     }
 }
 
-impl std::error::Error for FileError {
+impl<K: Kind> std::error::Error for FileError<K> {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             FileError::Open { cause, .. } => Some(cause),

@@ -1,17 +1,17 @@
 //! Words that must come next.
 
-use super::{Error, ErrorKind};
+use crate::error::{Common, Error, Kind, Problem};
 use crate::number;
 use crate::snippet::printable_start;
 use crate::source::{Place, Source};
 
 /// Takes `word`, in upper or lower case.
-pub(super) fn take(source: &mut Source, word: &str, expected: &'static str) -> Result<(), Error> {
+pub(crate) fn take<K: Kind>(source: &mut Source, word: &str, expected: &'static str) -> Result<(), Error<K>> {
     if source.take_word(word) { Ok(()) } else { Err(Error::unexpected(source, expected)) }
 }
 
 /// Takes a number.
-pub(super) fn number<F: number::Float>(source: &mut Source) -> Result<F, Error> {
+pub(crate) fn number<F: number::Float, K: Kind>(source: &mut Source) -> Result<F, Error<K>> {
     let word = source.peek();
     let length = word.len();
     match number::parse(word) {
@@ -27,7 +27,7 @@ pub(super) fn number<F: number::Float>(source: &mut Source) -> Result<F, Error> 
 }
 
 /// Takes a whole number without a sign. Gives where it stands, too.
-pub(super) fn count(source: &mut Source, expected: &'static str) -> Result<(u64, Place), Error> {
+pub(crate) fn count<K: Kind>(source: &mut Source, expected: &'static str) -> Result<(u64, Place), Error<K>> {
     let word = source.peek();
     let length = word.len();
     let digits = std::str::from_utf8(word).ok().filter(|word| word.bytes().all(|byte| byte.is_ascii_digit()));
@@ -37,7 +37,7 @@ pub(super) fn count(source: &mut Source, expected: &'static str) -> Result<(u64,
     // Digits alone are a count, unless they are too many.
     let Ok(count) = digits.parse() else {
         let found = printable_start(word);
-        return Err(Error::here(source, ErrorKind::LargeCount { found, expected }));
+        return Err(Error::here(source, Problem(Common::LargeCount { found, expected }).into()));
     };
     let place = source.place();
     source.take(length);
