@@ -12,7 +12,9 @@ use super::{say, text, workspace};
 use crate::draw::Painter;
 use crate::draw::canvas::Canvas;
 use crate::live::board::Board;
-use crate::live::student::{Status, Version};
+use crate::live::package::Package;
+use crate::live::student::Status;
+use crate::live::version::Version;
 use crate::live::worker;
 use crate::motion::source::Source;
 use crate::output::film::{self, Format, Frames};
@@ -84,7 +86,8 @@ impl Studio {
     /// Asks the student's functions for all that will be seen of them.
     fn ask(&mut self) {
         let version = Version::default();
-        let mut worker = worker::compile(&workspace(), &version);
+        let built = worker::compile(Package::Fk, &workspace(), &version);
+        let mut worker = built.map(|program| program.worker());
         for motion in 0..self.gallery.apps().len() {
             let recorded = match &mut worker {
                 Err(trouble) => Recorded::new(Status::Failed(trouble.clone().into())),
@@ -97,7 +100,7 @@ impl Studio {
         if let Ok(worker) = &mut worker {
             // What is printed while other questions are answered is about nothing that the picture shows.
             version.hush(true);
-            let board = Arc::new(Board::of(worker));
+            let board = Arc::new(Board::of(worker, Package::Fk));
             self.answers.iter_mut().for_each(|recorded| recorded.standing.board = Some(board.clone()));
         }
     }
