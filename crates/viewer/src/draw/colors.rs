@@ -1,5 +1,7 @@
 //! What colour things have.
 
+use skeleton::Representation;
+
 use crate::draw::canvas::Color;
 use crate::scene::{Off, Side, Tint, Trail};
 
@@ -42,10 +44,20 @@ pub fn color_of(tint: Tint) -> Color {
         Tint::Off(Off::Some) => Color(0xE0_44_2E),
         Tint::Off(Off::Much) => Color(0x3A_0A_0A),
         Tint::Ghost => Color(0x0E_8F_83),
+        Tint::Error => Color(0xE6_00_B8),
+        Tint::Keyframe => Color(0x2C_F0_4A),
         Tint::X => Color(0xC8_1E_1E),
         Tint::Y => Color(0x2F_B3_44),
         Tint::Z => Color(0x22_3F_D6),
         Tint::Ink => INK,
+    }
+}
+
+/// The colour of a curve on the backdrop: yellow and blue, which nearly everybody tells apart.
+pub(super) fn curve(representation: Representation) -> Color {
+    match representation {
+        Representation::Euler => Color(0xFF_D1_4A),
+        Representation::Quaternion => RIGHT,
     }
 }
 

@@ -4,6 +4,7 @@ pub mod canvas;
 mod colors;
 mod lit;
 mod panel;
+mod plot;
 pub mod ruler;
 mod strokes;
 #[cfg(test)]
@@ -65,9 +66,9 @@ impl Painter {
             let length = ruler::pixels(ruler.length, &scene.camera, &view);
             ruler::draw(ruler, length, scale, bottom, &mut self.typeface, canvas);
         }
-        self.panels.draw(&scene.panels, scale, bottom, &mut self.typeface, canvas);
+        self.panels.draw((&scene.panels, scene.plot.as_ref()), scale, bottom, &mut self.typeface, canvas);
         if let Some((timeline, bar)) = bar {
-            bar.draw(timeline, &mut self.typeface, canvas);
+            bar.draw(timeline, &scene.keyframes, &mut self.typeface, canvas);
         }
     }
 

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use super::canvas::{Canvas, Color, Typeface, Weight};
 use super::colors::{BACKDROP, BACKDROP_OPACITY, PLAIN, QUIET, RIGHT, WARNING, color_of};
-use crate::scene::{Corner, Line, Panel};
+use super::plot;
+use crate::scene::{Corner, Line, Panel, Plot};
 
 /// Lengths in pixels, for an ordinary display.
 const TEXT_SIZE: f32 = 14.0;
@@ -39,12 +40,13 @@ struct Row {
     text: Range<usize>,
 }
 
+/// A part of the picture, in pixels.
 #[derive(Clone, Copy)]
-struct Rectangle {
-    left: i32,
-    top: i32,
-    width: i32,
-    height: i32,
+pub(super) struct Rectangle {
+    pub left: i32,
+    pub top: i32,
+    pub width: i32,
+    pub height: i32,
 }
 
 impl Rectangle {
@@ -54,11 +56,17 @@ impl Rectangle {
             && self.top < other.top + other.height + apart
             && other.top < self.top + self.height + apart
     }
+
+    fn area(&self) -> i64 {
+        i64::from(self.width) * i64::from(self.height)
+    }
 }
 
 /// Lengths in pixels for one picture.
 #[derive(Clone, Copy)]
 struct Measures {
+    /// How large things are, 1 for an ordinary display.
+    fit: f32,
     text: u32,
     line: i32,
     padding: i32,
@@ -81,6 +89,7 @@ impl Measures {
         let margin = pixels(MARGIN);
         let share = if fit < scale { MOST_COVERED.0 } else { MOST_COVERED.1 };
         Some(Measures {
+            fit,
             text: pixels(TEXT_SIZE).unsigned_abs(),
             line: pixels(LINE_HEIGHT),
             padding: pixels(PADDING),
@@ -97,7 +106,7 @@ impl Panels {
     /// last ones first.
     pub fn draw(
         &mut self,
-        panels: &[Panel],
+        (panels, plot): (&[Panel], Option<&Plot>),
         scale: f32,
         bottom: i32,
         typeface: &mut Typeface,
@@ -105,12 +114,34 @@ impl Panels {
     ) {
         let Some(measures) = Measures::new(canvas.size(), scale) else { return };
         self.placed.clear();
-        for panel in panels {
+        for (index, panel) in panels.iter().enumerate() {
+            if let Some(plot) = plot.filter(|plot| plot.behind == index) {
+                self.plot(plot, measures, bottom, typeface, canvas);
+            }
             let width = self.break_lines(panel, measures, typeface);
             if let Some((place, rows)) = self.place(panel.corner, width, measures, bottom, canvas.size()) {
                 self.placed.push(place);
                 self.draw_one(panel, place, rows, measures, typeface, canvas);
             }
+        }
+        if let Some(plot) = plot.filter(|plot| plot.behind >= panels.len()) {
+            self.plot(plot, measures, bottom, typeface, canvas);
+        }
+    }
+
+    /// Draws the plot where there is room for all of it.
+    fn plot(
+        &mut self,
+        plot: &Plot,
+        measures: Measures,
+        bottom: i32,
+        typeface: &mut Typeface,
+        canvas: &mut Canvas,
+    ) {
+        let place = self.spot(Corner::BottomRight, plot::size(measures.fit), measures, bottom, canvas.size());
+        if let Some(place) = place {
+            self.placed.push(place);
+            plot::draw(plot, place, measures.fit, typeface, canvas);
         }
     }
 
@@ -141,41 +172,51 @@ impl Panels {
         bottom: i32,
         size: (usize, usize),
     ) -> Option<(Rectangle, usize)> {
-        let covered: i64 =
-            self.placed.iter().map(|place| i64::from(place.width) * i64::from(place.height)).sum();
-        let most = measures.room - covered;
         // What is cut ends in dots; dots alone say nothing.
         for rows in (1..=self.rows.len()).rev().filter(|rows| *rows > 1 || self.rows.len() == 1) {
             let height = rows as i32 * measures.line + 2 * measures.padding - measures.line / 5;
-            if i64::from(width) * i64::from(height) > most {
-                continue;
-            }
-            let left = match corner {
-                Corner::TopLeft | Corner::BottomLeft => measures.margin,
-                Corner::TopRight | Corner::BottomRight => size.0 as i32 - measures.margin - width,
-            };
-            let from_top = matches!(corner, Corner::TopLeft | Corner::TopRight);
-            let mut place = Rectangle { left, top: measures.margin, width, height };
-            if !from_top {
-                place.top = bottom - measures.margin - height;
-            }
-            // Those that are there push it away from its corner.
-            for _ in 0..self.placed.len() {
-                let Some(other) = self.placed.iter().find(|other| place.meets(other, measures.margin)) else {
-                    break;
-                };
-                place.top = match from_top {
-                    true => other.top + other.height + measures.margin,
-                    false => other.top - measures.margin - height,
-                };
-            }
-            let inside = place.top >= measures.margin && place.top + height <= bottom - measures.margin;
-            let free = !self.placed.iter().any(|other| place.meets(other, measures.margin));
-            if inside && free {
+            if let Some(place) = self.spot(corner, (width, height), measures, bottom, size) {
                 return Some((place, rows));
             }
         }
         None
+    }
+
+    /// Where in its corner there is room for a rectangle of this width and height.
+    fn spot(
+        &self,
+        corner: Corner,
+        (width, height): (i32, i32),
+        measures: Measures,
+        bottom: i32,
+        size: (usize, usize),
+    ) -> Option<Rectangle> {
+        let left = match corner {
+            Corner::TopLeft | Corner::BottomLeft => measures.margin,
+            Corner::TopRight | Corner::BottomRight => size.0 as i32 - measures.margin - width,
+        };
+        let from_top = matches!(corner, Corner::TopLeft | Corner::TopRight);
+        let mut place = Rectangle { left, top: measures.margin, width, height };
+        let covered: i64 = self.placed.iter().map(Rectangle::area).sum();
+        if place.area() > measures.room - covered || left < measures.margin {
+            return None;
+        }
+        if !from_top {
+            place.top = bottom - measures.margin - height;
+        }
+        // Those that are there push it away from its corner.
+        for _ in 0..self.placed.len() {
+            let Some(other) = self.placed.iter().find(|other| place.meets(other, measures.margin)) else {
+                break;
+            };
+            place.top = match from_top {
+                true => other.top + other.height + measures.margin,
+                false => other.top - measures.margin - height,
+            };
+        }
+        let inside = place.top >= measures.margin && place.top + height <= bottom - measures.margin;
+        let free = !self.placed.iter().any(|other| place.meets(other, measures.margin));
+        (inside && free).then_some(place)
     }
 
     fn draw_one(

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::AXES;
-use super::colors::{self, PALE, color_of};
+use super::colors::{self, PALE, PAPER, color_of};
 use super::lit::cover;
 use crate::camera::{Spot, View};
 use crate::draw::canvas::{Canvas, Color, Pen};
@@ -48,6 +48,7 @@ const SQUARES_FORWARD: f32 = 1.02;
 const FRAMES_FORWARD: f32 = 1.015;
 const AXES_FORWARD: f32 = 1.01;
 const GHOST_BACK: f32 = 0.995;
+const ERRORS_FORWARD: f32 = 1.15;
 
 impl Strokes {
     /// Draws all lines and squares of `scene`; `scale` is how large they are.
@@ -57,7 +58,7 @@ impl Strokes {
         let pieces = scene.trails.iter().map(|trail| trail.points.len());
         let parts =
             |figure: &Figure| 2 * figure.bones.len() + 3 * figure.axes.len() + 2 * figure.joints.len();
-        let most = pieces.chain(scene.figures.iter().map(parts)).sum::<usize>() + 3 * scene.marks.len();
+        let most = pieces.chain(scene.figures.iter().map(parts)).sum::<usize>() + 6 * scene.marks.len();
         self.list.reserve(most);
         self.order.clear();
         self.order.reserve(most);
@@ -67,14 +68,14 @@ impl Strokes {
         }
         for figure in &scene.figures {
             self.covers.clear();
-            let is_body = scene.style == Style::Lit && matches!(figure.look, Look::Solid | Look::Dimmed);
+            let is_body = scene.style == Style::Lit && figure.look.is_solid();
             if is_body {
                 cover(figure, view, &mut self.covers);
             } else {
                 pencil.bones(figure, scene.style);
             }
             pencil.all_axes(figure, &self.covers);
-            if matches!(figure.look, Look::Solid | Look::Dimmed) {
+            if figure.look.is_solid() {
                 pencil.squares(figure, &self.covers);
             }
         }
@@ -116,7 +117,7 @@ struct Pencil<'a> {
 impl Pencil<'_> {
     fn bones(&mut self, figure: &Figure, style: Style) {
         let (width, opacity, forward) = match figure.look {
-            Look::Solid => (3.5, 1.0, 1.0),
+            Look::Solid | Look::Flash => (3.5, 1.0, 1.0),
             Look::Dimmed => (3.5, 0.4, 1.0),
             Look::Ghost => (3.0, 0.55, GHOST_BACK),
             Look::Echo(strength) => (2.5, 0.55 * strength, GHOST_BACK),
@@ -124,6 +125,7 @@ impl Pencil<'_> {
         for bone in &figure.bones {
             let tint = match figure.look {
                 Look::Ghost => Tint::Ghost,
+                Look::Flash => Tint::Keyframe,
                 Look::Solid | Look::Dimmed | Look::Echo(_) => Tint::Bone(bone.side),
             };
             let color = color_of(tint);
@@ -216,13 +218,24 @@ impl Pencil<'_> {
     fn arrow(&mut self, mark: &Mark) {
         let Some(from) = mark.from else { return };
         let pen = Pen { width: 2.5 * self.scale, color: color_of(mark.tint), opacity: 1.0 };
-        self.line(from, mark.to, pen, AXES_FORWARD);
+        if mark.tint == Tint::Error {
+            // Short ones lie within the body: they are drawn before it, with an edge that sets them off.
+            let edge = Pen { width: 5.5 * self.scale, color: PAPER, ..pen };
+            self.shaft_and_head(from, mark.to, edge, ERRORS_FORWARD * 0.999);
+            self.shaft_and_head(from, mark.to, Pen { width: 3.0 * self.scale, ..pen }, ERRORS_FORWARD);
+            return;
+        }
+        self.shaft_and_head(from, mark.to, pen, AXES_FORWARD);
+    }
+
+    fn shaft_and_head(&mut self, from: Vec3, to: Vec3, pen: Pen, forward: f32) {
+        self.line(from, to, pen, forward);
         // The head lies in the plane of the picture.
-        let along = (mark.to - from).normalize_or_zero();
+        let along = (to - from).normalize_or_zero();
         let across = along.cross(self.view.forward).normalize_or_zero();
-        let head = (0.0225 * self.size).min(0.3 * from.distance(mark.to));
+        let head = (0.0225 * self.size).min(0.3 * from.distance(to));
         for side in [0.5, -0.5] {
-            self.line(mark.to, mark.to - (along - across * side) * head, pen, AXES_FORWARD);
+            self.line(to, to - (along - across * side) * head, pen, forward);
         }
     }
 

@@ -1,9 +1,9 @@
 //! The bar at the bottom of the picture that shows the frame among all frames, and where to press to go to one.
 
 use super::canvas::{Canvas, Color, Typeface, Weight};
-use super::colors::{BACKDROP, BACKDROP_OPACITY, QUIET, RIGHT, WARNING};
+use super::colors::{BACKDROP, BACKDROP_OPACITY, QUIET, RIGHT, WARNING, color_of};
 use super::usable_scale;
-use crate::scene::Timeline;
+use crate::scene::{Timeline, Tint};
 
 /// Lengths in pixels, for an ordinary display.
 const HEIGHT: f32 = 38.0;
@@ -12,6 +12,7 @@ const TRACK: f32 = 5.0;
 const TRACK_DOWN: f32 = 13.0;
 const TEXT_SIZE: f32 = 11.0;
 const TICKS_APART: f32 = 64.0;
+const KEYFRAME: (f32, f32) = (2.0, 8.0);
 
 /// The least picture that has a bar.
 const LEAST: (f32, f32) = (160.0, 140.0);
@@ -69,8 +70,14 @@ impl Bar {
         self.first + (share * f64::from(self.last - self.first)) as f32
     }
 
-    /// Draws the bar on top of everything.
-    pub(crate) fn draw(&self, timeline: &Timeline, typeface: &mut Typeface, canvas: &mut Canvas) {
+    /// Draws the bar on top of everything, with a mark at each of `keyframes`, which are in ascending order.
+    pub(crate) fn draw(
+        &self,
+        timeline: &Timeline,
+        keyframes: &[usize],
+        typeface: &mut Typeface,
+        canvas: &mut Canvas,
+    ) {
         let pixels = |length: f32| (length * self.scale).round() as i32;
         let (width, height) = (self.size.0 as i32, self.size.1 as i32);
         canvas.rectangle((0, self.top as i32), (width, height), BACKDROP, BACKDROP_OPACITY);
@@ -88,6 +95,7 @@ impl Bar {
         track(place(start), place(stop), IN_RANGE);
         track(place(start), place(timeline.frame.min(stop)), RIGHT);
         self.ticks(middle + pixels(TRACK), typeface, canvas);
+        self.keyframes(keyframes, middle - thick / 2, canvas);
         if (start, stop) != (0, end) {
             for (frame, inwards) in [(start, 1), (stop, -1)] {
                 self.bracket((place(frame).round() as i32, middle), inwards, canvas);
@@ -108,6 +116,22 @@ impl Bar {
         canvas.rectangle((left(thick), middle - half), (thick, 2 * half), WARNING, 1.0);
         for top in [middle - half, middle + half - thick] {
             canvas.rectangle((left(foot), top), (foot, thick), WARNING, 1.0);
+        }
+    }
+
+    /// Posts at keyframes that stand on the track, whose top is given. Where they are many, they are thin.
+    fn keyframes(&self, keyframes: &[usize], bottom: i32, canvas: &mut Canvas) {
+        let pixels = |length: f32| ((length * self.scale).round() as i32).max(1);
+        let room = (self.last - self.first) / keyframes.len().max(1) as f32;
+        let width = if room < 3.0 * KEYFRAME.0 * self.scale { 1 } else { pixels(KEYFRAME.0) };
+        let height = pixels(KEYFRAME.1);
+        let mut before = None;
+        for frame in keyframes.iter().filter(|frame| **frame < self.count) {
+            let left = self.place_of(*frame).round() as i32 - width / 2;
+            if before != Some(left) {
+                canvas.rectangle((left, bottom - height), (width, height), color_of(Tint::Keyframe), 1.0);
+                before = Some(left);
+            }
         }
     }
 
@@ -196,7 +220,8 @@ mod tests {
             if let Some(bar) = Bar::new(&timeline, size, raw[0]) {
                 bar.contains(raw[1], raw[2]);
                 prop_assert!(bar.frame_at(raw[1]) < count);
-                bar.draw(&timeline, &mut Typeface::without_letters(), &mut Canvas::new(size.0, size.1));
+                let keyframes = [0, frame, count];
+                bar.draw(&timeline, &keyframes, &mut Typeface::without_letters(), &mut Canvas::new(size.0, size.1));
             }
         }
     }
@@ -222,7 +247,7 @@ mod tests {
         let drawn = |timeline: Timeline| {
             let mut canvas = Canvas::new(800, 200);
             let bar = Bar::new(&timeline, canvas.size(), 1.0).unwrap();
-            bar.draw(&timeline, &mut Typeface::without_letters(), &mut canvas);
+            bar.draw(&timeline, &[], &mut Typeface::without_letters(), &mut canvas);
             (bar, canvas)
         };
         let columns = |canvas: &Canvas, color: Color| {
@@ -238,6 +263,28 @@ mod tests {
         let brackets = columns(&canvas, WARNING);
         assert!((*brackets.iter().min().unwrap() as f32 - bar.place_of(200)).abs() < 1.5);
         assert!((*brackets.iter().max().unwrap() as f32 + 1.0 - bar.place_of(900)).abs() < 1.5);
+    }
+
+    /// In the columns of the keyframes, and in no other; crowded ones stay apart.
+    #[test]
+    fn keyframes_are_posts_on_the_track_at_their_frames() {
+        let (few, many) = (vec![0, 100, 101, 800, 1376], (0..1377).step_by(7).collect::<Vec<usize>>());
+        for keyframes in [few, many] {
+            let mut canvas = Canvas::new(1280, 200);
+            let bar = Bar::new(&WHOLE, canvas.size(), 1.0).unwrap();
+            bar.draw(&WHOLE, &keyframes, &mut Typeface::without_letters(), &mut canvas);
+            // Above the track and beside the knob.
+            let row = bar.top as usize + 5;
+            let green = |x: usize| canvas.pixel(x, row) == Some(color_of(Tint::Keyframe));
+            let near = |x: usize, frame: &usize| (bar.place_of(*frame) - x as f32).abs() < 1.6;
+            for frame in keyframes.iter().filter(|frame| bar.place_of(**frame) > bar.first + 12.0) {
+                assert!((0..1280).any(|x| green(x) && near(x, frame)), "{frame}");
+            }
+            let stray = (0..1280).filter(|x| green(*x) && !keyframes.iter().any(|frame| near(*x, frame)));
+            assert_eq!(stray.count(), 0);
+            let gaps = (0..1280).filter(|x| green(*x) && !green(*x + 1)).count();
+            assert!(gaps + 3 >= keyframes.len(), "{gaps} posts for {} keyframes", keyframes.len());
+        }
     }
 
     #[test]

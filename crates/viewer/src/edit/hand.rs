@@ -1,10 +1,16 @@
 //! Who does the work.
 
+use std::ops::ControlFlow;
+
 use exam::Failure;
 use exam::keyframes::Reduction;
 use skeleton::{LocalPose, Representation};
 
+use super::reductions::{Curves, Reductions};
 use crate::motion::stage::Stage;
+
+/// Told how much is done and how much there is to do. When it breaks, the work is to be left as it is.
+pub type Progress<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 
 /// Interpolates, and chooses keyframes: the reference, or a student's functions where the exercise is theirs.
 ///
@@ -34,4 +40,50 @@ pub trait Hand: Send {
         start: usize,
         end: usize,
     ) -> Result<Vec<LocalPose>, Failure>;
+
+    /// Whose functions these are.
+    fn makers(&self) -> Makers {
+        Makers::default()
+    }
+
+    /// The same as [`reduce`](Hand::reduce), where it can be told how far it is. What comes of work that was broken off is
+    /// of no use.
+    ///
+    /// # Errors
+    ///
+    /// When a student's functions gave no answer.
+    fn reduce_step_by_step(
+        &mut self,
+        stage: &Stage,
+        representation: Representation,
+        counts: &[usize],
+        progress: Progress,
+    ) -> Result<Vec<Reduction>, Failure> {
+        let _ = progress;
+        self.reduce(stage, representation, counts)
+    }
+
+    /// How the error grows in both representations, by the reference. `None` when `progress` breaks.
+    fn curves(&mut self, stage: &Stage, progress: Progress) -> Option<Curves> {
+        Reductions::default().curves(stage, progress)
+    }
+}
+
+/// Who chooses the keyframes, and who makes the frames between them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Makers {
+    /// The keyframes.
+    pub keyframes: Maker,
+    /// The frames between.
+    pub between: Maker,
+}
+
+/// Whose functions are at work.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Maker {
+    /// The reference's.
+    #[default]
+    Reference,
+    /// The student's.
+    Student,
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::{Vec2, Vec3, Vec3Swizzles};
 
 use super::{SUN, SUN_SPREAD};
-use crate::scene::{Bone, Side};
+use crate::scene::{Bone, Look, Side};
 
 /// A cylinder with half balls at its ends.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ impl Capsule {
         to: Vec3,
         per_world: f32,
         figure: usize,
-        pale: bool,
+        look: Look,
     ) -> Option<Capsule> {
         let radius = bone.radius * per_world;
         let near = |place: Vec3| place.is_finite() && place.abs().max_element() < FARTHEST;
@@ -48,10 +48,12 @@ impl Capsule {
         // A bone without a length is a ball, which is the same in any direction.
         let (axis, length) = if length > 1e-6 { (along / length, length) } else { (Vec3::Y, 0.0) };
         let albedo = match bone.side {
+            _ if look == Look::Flash => Vec3::new(0.03, 1.0, 0.10),
             Side::Left => Vec3::new(0.85, 0.31, 0.10),
             Side::Right => Vec3::new(0.062, 0.265, 0.75),
             Side::Middle => Vec3::new(0.79, 0.75, 0.66),
         };
+        let pale = look == Look::Dimmed;
         Some(Capsule { from, to, axis, length, radius, albedo, pale, figure, joints: bone.joints })
     }
 

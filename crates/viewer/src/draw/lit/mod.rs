@@ -15,7 +15,7 @@ use glam::Vec3;
 
 use crate::camera::View;
 use crate::draw::canvas::Canvas;
-use crate::scene::{Bone, Dot, Figure, Look, Scene};
+use crate::scene::{Bone, Dot, Figure, Scene};
 
 pub(super) use capsule::Capsule;
 use capsule::Neighbours;
@@ -69,8 +69,7 @@ impl Bodies {
             return;
         }
         for (index, figure) in scene.figures.iter().enumerate() {
-            if matches!(figure.look, Look::Solid | Look::Dimmed) {
-                let pale = figure.look == Look::Dimmed;
+            if figure.look.is_solid() {
                 let bones = figure.bones.iter();
                 self.capsules.extend(bones.filter_map(|bone| {
                     Capsule::new(
@@ -79,7 +78,7 @@ impl Bodies {
                         unit.place(bone.to),
                         unit.per_world,
                         index,
-                        pale,
+                        figure.look,
                     )
                 }));
             }

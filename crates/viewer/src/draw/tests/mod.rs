@@ -1,5 +1,6 @@
 //! What the painter promises of any scene.
 
+mod editing;
 mod look;
 mod panels;
 mod shadow;

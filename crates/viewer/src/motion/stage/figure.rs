@@ -101,7 +101,7 @@ pub(super) fn traced(tips: &[usize], rest: &[Vec3], sides: &[Side], size: f32) -
 }
 
 /// The joints that are no other's parent.
-pub(super) fn tips(joints: &[Joint]) -> Vec<usize> {
+pub(crate) fn tips(joints: &[Joint]) -> Vec<usize> {
     let mut tips = vec![true; joints.len()];
     for parent in joints.iter().filter_map(|joint| joint.parent) {
         tips[parent.0] = false;

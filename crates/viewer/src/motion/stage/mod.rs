@@ -13,7 +13,7 @@ use crate::motion::upright::{Stance, Up};
 use crate::scene::Side;
 
 pub use figure::Wanted;
-use figure::tips;
+pub(crate) use figure::tips;
 
 /// A motion and what follows from it for the picture. Lengths are in the file's unit. Places in the picture are those of
 /// the file, turned so that Y points up.
