@@ -10,7 +10,7 @@ use skeleton::{LocalPose, Representation};
 
 use super::ask::{self, Wrong};
 use super::hands::Event;
-use crate::edit::Hand;
+use crate::edit::{Curves, Hand, Maker, Makers, Progress};
 use crate::live::lock;
 use crate::live::package::Package;
 use crate::live::student::News;
@@ -83,6 +83,34 @@ impl<S: Subject + Send> Hand for StudentHand<S> {
             }),
             Package::Fk | Package::Keyframes => self.rest.between(stage, representation, start, end),
         }
+    }
+
+    fn makers(&self) -> Makers {
+        match self.package {
+            Package::Fk => self.rest.makers(),
+            Package::Interpolation => Makers { between: Maker::Student, ..self.rest.makers() },
+            Package::Keyframes => Makers { keyframes: Maker::Student, ..self.rest.makers() },
+        }
+    }
+
+    fn reduce_step_by_step(
+        &mut self,
+        stage: &Stage,
+        representation: Representation,
+        counts: &[usize],
+        progress: Progress,
+    ) -> Result<Vec<Reduction>, Failure> {
+        match self.package {
+            // How far they are is known to nobody.
+            Package::Keyframes => self.reduce(stage, representation, counts),
+            Package::Fk | Package::Interpolation => {
+                self.rest.reduce_step_by_step(stage, representation, counts, progress)
+            }
+        }
+    }
+
+    fn curves(&mut self, stage: &Stage, progress: Progress) -> Option<Curves> {
+        self.rest.curves(stage, progress)
     }
 }
 

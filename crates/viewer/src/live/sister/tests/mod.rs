@@ -1,5 +1,6 @@
 mod absurd;
 
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex};
@@ -12,6 +13,7 @@ use glam::{Quat, Vec3};
 use skeleton::{LocalPose, PositionChannels, Representation};
 
 use super::*;
+use crate::edit::{Maker, Makers};
 use crate::live::board::Board;
 use crate::live::student::{News, Status};
 use crate::motion::stage::Stage;
@@ -157,14 +159,22 @@ fn a_save_brings_a_new_hand_for_every_motion() {
 fn what_is_not_the_students_part_is_done_by_another_hand() {
     let (mut hands, _news) = start(|_| Ok(Lifted(7.0)));
     let mut hand = next_hand(&mut hands);
-    let reductions = hand.reduce(&stage(9), Representation::Euler, &[3, 5]).unwrap();
-    assert_eq!((reductions[1].keyframes[1], reductions[1].error), (5, 0.5));
+    assert_eq!(hand.makers(), Makers { between: Maker::Student, keyframes: Maker::Reference });
+    let going = &mut |_, _| ControlFlow::Continue(());
+    for reductions in [
+        hand.reduce(&stage(9), Representation::Euler, &[3, 5]),
+        hand.reduce_step_by_step(&stage(9), Representation::Euler, &[3, 5], going),
+    ] {
+        let last = &reductions.unwrap()[1];
+        assert_eq!((last.keyframes[1], last.error), (5, 0.5));
+    }
     assert!((height(&mut *hand) - 7.0).abs() < 1e-3);
 
     let subject = InProcess(Functions::keyframes(solutions::KEYFRAMES).with_clips(inbetween::clip));
     let open = move |_: &Version| Ok(Opened { workers: vec![subject], graded: subject });
     let mut hands = Hands::start_with(Package::Keyframes, 1, open, rest, |_| {}, no_points);
     let mut hand = next_hand(&mut hands);
+    assert_eq!(hand.makers(), Makers { between: Maker::Reference, keyframes: Maker::Student });
     assert_eq!(between(&mut *hand).unwrap()[0].positions, [Vec3::new(2.0, 6.0, 0.0)]);
     let reductions = hand.reduce(&stage(9), Representation::Euler, &[3, 5]).unwrap();
     assert_eq!(reductions.iter().map(|reduction| reduction.keyframes.len()).collect::<Vec<_>>(), [3, 5]);
