@@ -6,6 +6,7 @@
 mod ask;
 mod hand;
 mod hands;
+mod now;
 #[cfg(test)]
 mod tests;
 
@@ -20,6 +21,7 @@ use super::{Terminal, building_anew, watch};
 use crate::edit::Hand;
 
 pub use hands::{Hands, Opened};
+pub use now::Now;
 
 /// The student's functions of one of these exercises, the files that are watched, and what the terminal is told.
 pub struct Sister {

@@ -152,7 +152,9 @@ fn a_save_brings_a_new_hand_for_every_motion() {
     until(&mut hands, |hands, _| hands.standing(1).current.then_some(()));
     assert!(!hands.standing(0).current);
     hands.rebuilder().rebuild();
-    assert!((height(&mut *next_hand(&mut hands)) - 200.0).abs() < 1e-3);
+    let mut newest = next_hand(&mut hands);
+    assert_eq!(hands.standing(1).status, Status::Asking, "what the version before has answered does not count");
+    assert!((height(&mut *newest) - 200.0).abs() < 1e-3);
 }
 
 #[test]
@@ -336,6 +338,17 @@ fn what_is_printed_is_heard_except_while_the_failing_frame_is_looked_for() {
     hand.between(&stage(9), Representation::Euler, 0, 2).unwrap_err();
     drop((hand, hands));
     assert_eq!(std::io::read_to_string(&mut reader).unwrap(), "3 frames\n1 frames\n");
+}
+
+#[test]
+fn who_waits_for_an_answer_learns_what_is_wrong_with_it() {
+    let mut right = Now::new(Package::Interpolation, &Version::default(), Lifted(0.0), rest());
+    assert!(between(right.hand()).is_ok());
+    assert_eq!(right.trouble(), None);
+    let mut wrong = Now::new(Package::Interpolation, &Version::default(), Lifted(f32::NAN), rest());
+    assert!(between(wrong.hand()).is_err());
+    assert!(wrong.trouble().unwrap().headline.contains("NaN"));
+    assert_eq!(wrong.trouble(), None, "told once");
 }
 
 #[test]
