@@ -5,8 +5,10 @@ mod support;
 
 use std::sync::Arc;
 
+use skeleton::Representation;
 use viewer::draw::Painter;
 use viewer::draw::canvas::Canvas;
+use viewer::edit::ReferenceHand;
 use viewer::scene::{Look, Scene, Style};
 use viewer::view::answers::Recorded;
 use viewer::view::app::{App, Shown};
@@ -63,6 +65,33 @@ fn from_the_frames_angles_to_pixels_nothing_is_allocated() {
             painter.draw(&scene, &mut canvas);
         };
         // Every letter and every trace has been there once.
+        (0..FRAMES).for_each(&mut show);
+        for frame in [0, 1, 2, 30, 31, 59, 4] {
+            let counted = allocation_counter::measure(|| show(frame));
+            assert_eq!(counted.count_total, 0, "frame {frame}: {counted:?}");
+        }
+    }
+}
+
+/// As the window does it while a motion is edited, with all that can be shown of that.
+#[test]
+fn an_edited_motion_allocates_nothing_either() {
+    const FRAMES: usize = 60;
+    let stage = Arc::new(support::stage());
+    for (automatic, beside) in [(true, false), (false, true)] {
+        let mut app = App::new(stage.clone(), "running.bvh".into(), Vec::new(), SIZE);
+        let edit = &mut app.settings.edit;
+        (edit.automatic, edit.beside) = (automatic, beside);
+        (edit.errors, edit.plot, edit.stretch) = (true, true, Some(Representation::Quaternion));
+        app.edit(&mut ReferenceHand::default());
+        let (mut painter, mut canvas, mut scene) =
+            (Painter::new(), Canvas::new(SIZE.0, SIZE.1), Scene::default());
+        let mut show = |frame: usize| {
+            app.go_to(frame);
+            app.fill(&mut scene, Shown::Reference, SIZE);
+            painter.draw(&scene, &mut canvas);
+            assert!(scene.plot.is_some() && (scene.marks.len() > 5 || frame == 0));
+        };
         (0..FRAMES).for_each(&mut show);
         for frame in [0, 1, 2, 30, 31, 59, 4] {
             let counted = allocation_counter::measure(|| show(frame));

@@ -20,7 +20,8 @@ fn workspace() -> PathBuf {
 }
 
 fn studio() -> Studio {
-    Studio::new(parser::bvh::read_file(workspace().join("data").join("running.bvh")).unwrap().motion)
+    let read = |name: &str| parser::bvh::read_file(workspace().join("data").join(name)).unwrap().motion;
+    Studio::new(read("running.bvh"), read("dance.bvh"))
 }
 
 fn folder() -> PathBuf {

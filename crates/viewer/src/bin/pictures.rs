@@ -18,8 +18,11 @@ fn main() -> ExitCode {
 
 fn make() -> Result<(), String> {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join("..");
-    let motion = parser::bvh::read_file(workspace.join("data").join("running.bvh"));
-    let mut studio = Studio::new(motion.map_err(|error| error.to_string())?.motion);
+    let read = |name: &str| {
+        let read = parser::bvh::read_file(workspace.join("data").join(name));
+        read.map(|read| read.motion).map_err(|error| error.to_string())
+    };
+    let mut studio = Studio::new(read("running.bvh")?, read("dance.bvh")?);
     let folder = workspace.join("docs").join("pictures");
     std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     for made in PICTURES {

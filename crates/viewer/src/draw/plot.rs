@@ -10,7 +10,7 @@ use crate::camera::Spot;
 use crate::scene::{Curve, Plot};
 
 /// Lengths in pixels, for an ordinary display.
-const SIZE: (f32, f32) = (400.0, 230.0);
+const SIZE: (f32, f32) = (380.0, 216.0);
 const TEXT_SIZE: f32 = 12.0;
 const PADDING: f32 = 10.0;
 const GAP: f32 = 6.0;

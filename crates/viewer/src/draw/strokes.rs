@@ -220,9 +220,12 @@ impl Pencil<'_> {
         let pen = Pen { width: 2.5 * self.scale, color: color_of(mark.tint), opacity: 1.0 };
         if mark.tint == Tint::Error {
             // Short ones lie within the body: they are drawn before it, with an edge that sets them off.
-            let edge = Pen { width: 5.5 * self.scale, color: PAPER, ..pen };
+            let Some((a, b)) = self.view.project_line(from, mark.to) else { return };
+            let long = Vec2::new(b.x - a.x, b.y - a.y).length();
+            let width = (0.4 * long).clamp(1.5 * self.scale, 3.0 * self.scale);
+            let edge = Pen { width: width + 2.5 * self.scale, color: PAPER, ..pen };
             self.shaft_and_head(from, mark.to, edge, ERRORS_FORWARD * 0.999);
-            self.shaft_and_head(from, mark.to, Pen { width: 3.0 * self.scale, ..pen }, ERRORS_FORWARD);
+            self.shaft_and_head(from, mark.to, Pen { width, ..pen }, ERRORS_FORWARD);
             return;
         }
         self.shaft_and_head(from, mark.to, pen, AXES_FORWARD);

@@ -41,7 +41,7 @@ pub enum NotEdited {
 
 fn advice(joints: usize) -> String {
     let most = MOST_JOINTS / joints.max(1);
-    format!("Interpolate a stretch of at most {most} frames: [ and ] set it, i interpolates it")
+    format!("A stretch of at most {most} frames can be interpolated")
 }
 
 /// Whether a motion, or a stretch of it, has more poses than can be held.

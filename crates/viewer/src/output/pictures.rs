@@ -8,6 +8,7 @@ use skeleton::{FkFunctions, JointId, Motion, Pose, PositionChannels, Transform};
 
 use crate::draw::Painter;
 use crate::draw::canvas::{Canvas, Color, Weight};
+use crate::edit::ReferenceHand;
 use crate::live::board::Board;
 use crate::live::package::Package;
 use crate::motion::stage::Stage;
@@ -30,13 +31,14 @@ impl Picture {
 }
 
 /// All pictures.
-pub const PICTURES: [Picture; 10] = [
+pub const PICTURES: [Picture; 11] = [
     Picture { name: "stub-frame-0", draw: |studio| studio.window(STUB, 0) },
     Picture { name: "stub-frame-300", draw: |studio| studio.window(STUB, 300) },
     Picture { name: "part-1", draw: |studio| studio.window(PART_1, 40) },
     Picture { name: "parts-1-and-2", draw: |studio| studio.window(PARTS_1_AND_2, 40) },
     Picture { name: "solved", draw: |studio| studio.window(solutions::FK, 300) },
     Picture { name: "window", draw: Studio::joint },
+    Picture { name: "keyframes", draw: Studio::keyframes },
     Picture { name: "rest-pose", draw: Studio::rest_pose },
     Picture { name: "local-and-global", draw: Studio::local_and_global },
     Picture { name: "run", draw: Studio::run },
@@ -68,14 +70,16 @@ const UNTURNED: FkFunctions = FkFunctions {
 /// A motion, and what is needed to draw it.
 pub struct Studio {
     stage: Arc<Stage>,
+    dance: Arc<Stage>,
     painter: Painter,
 }
 
 impl Studio {
-    /// Makes pictures of `motion`.
-    pub fn new(motion: Motion) -> Studio {
-        let stage = Arc::new(Stage::new(motion, PositionChannels::Replace));
-        Studio { stage, painter: Painter::new() }
+    /// Makes pictures of a run, and one of a dance.
+    pub fn new(running: Motion, dance: Motion) -> Studio {
+        let [stage, dance] =
+            [running, dance].map(|motion| Arc::new(Stage::new(motion, PositionChannels::Replace)));
+        Studio { stage, dance, painter: Painter::new() }
     }
 
     /// The window as it looks when a student's functions are these.
@@ -96,6 +100,20 @@ impl Studio {
         app.select(self.bone_to("LeftLeg").map(|(_, joint)| joint.0));
         let recorded = judged(UNTURNED, &self.stage, FRAME);
         self.draw(&app.scene(Shown::Student(&recorded), SIZE), SIZE)
+    }
+
+    /// The window while a motion is reduced to keyframes: how far the tips are off, and how the error grows.
+    fn keyframes(&mut self) -> Canvas {
+        const SIZE: (usize, usize) = (1280, 720);
+        const FRAME: usize = 118;
+        let mut app = App::new(self.dance.clone(), "dance.bvh".into(), Vec::new(), SIZE);
+        let edit = &mut app.settings.edit;
+        (edit.automatic, edit.keyframes) = (true, 12);
+        (edit.errors, edit.plot) = (true, true);
+        app.settings.axes = false;
+        app.edit(&mut ReferenceHand::default());
+        app.go_to(FRAME);
+        self.draw(&app.scene(Shown::Reference, SIZE), SIZE)
     }
 
     /// The skeleton with nothing turned: every joint's name and axes.

@@ -15,6 +15,17 @@ pub struct Figure {
     pub axes: Vec<Axes>,
 }
 
+impl Figure {
+    /// Moves all of it.
+    pub fn shift(&mut self, by: Vec3) {
+        for bone in &mut self.bones {
+            (bone.from, bone.to) = (bone.from + by, bone.to + by);
+        }
+        self.joints.iter_mut().for_each(|joint| joint.place += by);
+        self.axes.iter_mut().for_each(|axes| axes.origin += by);
+    }
+}
+
 /// The part that a figure plays.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Look {

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::thread;
 
+use crate::edit::{Engine, ReferenceHand};
 use crate::live::watch::{Baseline, Watcher};
 use crate::live::{Live, OfMotion};
 use crate::motion::source::{Loaded, Source};
@@ -19,6 +20,8 @@ pub struct Session {
     sources: Vec<Source>,
     /// Files that are being read again: long ones take a moment, for which no picture waits.
     readings: Vec<Option<Receiver<Reading>>>,
+    /// What edits each motion.
+    engines: Vec<Engine>,
     functions: Functions,
 }
 
@@ -48,7 +51,9 @@ impl Session {
             }
         };
         let readings = sources.iter().map(|_| None).collect();
-        Session { gallery, sources, readings, functions }
+        let engine = |app: &App| Engine::start(app.stage().clone(), Some(Box::new(ReferenceHand::default())));
+        let engines = gallery.apps().iter().map(engine).collect();
+        Session { gallery, sources, readings, engines, functions }
     }
 
     /// Takes in what has changed. Never waits.
@@ -69,6 +74,11 @@ impl Session {
             self.readings[motion] = Some(read_in_background(self.sources[motion].clone()));
         }
         (0..self.readings.len()).for_each(|motion| self.take_reading(motion));
+        for (app, engine) in self.gallery.apps_mut().iter_mut().zip(&mut self.engines) {
+            engine.want(app.wish());
+            engine.update();
+            app.show_edit(engine.state());
+        }
     }
 
     /// Shows what a file holds now, when it has been read.
@@ -86,6 +96,7 @@ impl Session {
                 if let Functions::Student(live) = &mut self.functions {
                     live.replace_stage(motion, loaded.stage.clone());
                 }
+                self.engines[motion].replace_stage(loaded.stage.clone());
                 app.replace(loaded.stage, loaded.warnings);
             }
             Ok(Err(error)) => {

@@ -71,7 +71,26 @@ fn motions_without_much_in_them_are_shown() {
         let path = folder.path().join(format!("{joints} {frames}.bvh"));
         save(&path, &chain(joints, frames));
         let viewer = Viewer::open(&display, &[path.to_str().unwrap(), "--solution"]);
-        for key in ["space", "w", "Left", "r", "bracketleft", "bracketright", "Tab", "f", "l", "h", "End"] {
+        for key in [
+            "space",
+            "w",
+            "Left",
+            "r",
+            "bracketleft",
+            "bracketright",
+            "Tab",
+            "f",
+            "l",
+            "h",
+            "i",
+            "e",
+            "p",
+            "b",
+            "k",
+            "Up",
+            "shift+Down",
+            "End",
+        ] {
             viewer.key(key);
         }
         assert!(viewer.title().contains(&format!("frame 0 / {frames}")));

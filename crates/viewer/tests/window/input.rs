@@ -1,5 +1,8 @@
 //! Keys and mouse reach the window, whatever happens to it.
 
+use viewer::draw::color_of;
+use viewer::scene::Tint;
+
 use super::display::{Display, wait_for};
 use super::viewer::Viewer;
 
@@ -8,6 +11,7 @@ pub const TESTS: &[(&str, fn())] = &[
     ("twenty_fast_taps_all_count", twenty_fast_taps_all_count),
     ("a_held_key_goes_on_and_stops", a_held_key_goes_on_and_stops),
     ("the_mouse_turns_moves_and_scrubs", the_mouse_turns_moves_and_scrubs),
+    ("keys_edit_the_motion", keys_edit_the_motion),
     ("a_storm_of_sizes_is_survived", a_storm_of_sizes_is_survived),
 ];
 
@@ -92,6 +96,56 @@ fn the_mouse_turns_moves_and_scrubs() {
     wait_for("the end of the motion", || (viewer.frame() > 1300).then_some(()));
     viewer.mouse(&["mouseup", "1"]);
     viewer.close();
+}
+
+fn keys_edit_the_motion() {
+    let display = Display::start();
+    let motion = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/dance.bvh");
+    let viewer = Viewer::open(&display, &[motion, "--solution", "--frame", "93"]);
+    let wait_for_title = |part: &str| wait_for(part, || viewer.title().contains(part).then_some(()));
+    // The figure, the words and the bar change with each of these, and the arrows and the plot are there.
+    let mut before = display.picture();
+    for (key, title, share) in [
+        ("i", "interpolated, Euler angles", 0.01),
+        ("i", "interpolated, quaternions", 0.001),
+        ("k", "20 keyframes, quaternions", 0.002),
+        ("i", "20 keyframes, Euler angles", 0.0005),
+        ("Up", "21 keyframes", 0.0002),
+        ("shift+Down", "11 keyframes", 0.0002),
+    ] {
+        viewer.key(key);
+        wait_for_title(title);
+        before = viewer.wait_for_change(title, &before, share);
+    }
+    let magenta = color_of(Tint::Error).channels();
+    // The legend has one already.
+    viewer.key("e");
+    wait_for("error vectors", || (display.picture().count(magenta) > 200).then_some(()));
+    let before = display.picture();
+    viewer.key("p");
+    viewer.wait_for_change("the plot", &before, 0.04);
+    let before = display.picture();
+    viewer.key("b");
+    viewer.wait_for_change("two figures beside each other", &before, 0.02);
+    display.xdotool(&["keydown", "Up"]).unwrap();
+    wait_title_count(&viewer, 30);
+    display.xdotool(&["keyup", "Up"]).unwrap();
+    viewer.key("k");
+    wait_for("the stretch", || viewer.title().contains("interpolated, Euler").then_some(()));
+    viewer.key("i");
+    viewer.key("i");
+    wait_for("the motion as it is", || viewer.title().ends_with("/ 141").then_some(()));
+    viewer.close();
+}
+
+/// Waits until there are so many keyframes, or more.
+fn wait_title_count(viewer: &Viewer, least: usize) {
+    wait_for("more keyframes", || {
+        let title = viewer.title();
+        let count =
+            title.split(" · ").find_map(|part| part.split_once(" keyframes"))?.0.parse::<usize>().ok()?;
+        (count >= least).then_some(())
+    });
 }
 
 fn a_storm_of_sizes_is_survived() {

@@ -23,6 +23,15 @@ pub struct Wanted<'a> {
 }
 
 impl Stage {
+    /// How much room the figure takes along a direction of the picture's world, of length 1, in all that it does around its
+    /// anchor. Positive.
+    pub fn breadth(&self, direction: Vec3) -> f32 {
+        let along = self.surroundings.iter().map(|place| place.dot(direction));
+        let (low, high) = along.fold((0.0f32, 0.0f32), |(low, high), at| (low.min(at), high.max(at)));
+        let breadth = high - low;
+        if breadth.is_normal() { breadth } else { 0.5 * self.size }
+    }
+
     /// The skeleton in `pose`. `axes` says whether its joints get axes.
     pub fn figure(&self, pose: &Pose, look: Look, axes: bool) -> Figure {
         let mut figure = Figure::default();

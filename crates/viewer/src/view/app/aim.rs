@@ -61,10 +61,12 @@ impl App {
         let frame = self.frame();
         let reference = self.stage.reference(frame);
         let posed = match shown {
+            _ if self.edited().is_some() => self.interpolated_pose(frame),
             Shown::Reference => None,
             Shown::Student(answers) => answers.posed(frame).map(|posed| &posed.pose),
         };
-        let view = self.present_camera(self.stage.anchor_of(&reference)).view(size);
+        let camera = self.present_camera(self.stage.anchor_of(&reference));
+        let view = self.camera_between(camera).view(size);
         let spots = self.stage.places(posed.unwrap_or(&reference)).map(|place| view.project(place));
         let distances = spots.enumerate().filter_map(|(joint, spot)| {
             let spot = spot?;

@@ -4,11 +4,12 @@ use glam::Vec3;
 use grading::PartState;
 use skeleton::Pose;
 
+use super::aim::Aim;
 use super::{App, Shown};
 use crate::camera::Camera;
 use crate::draw::ruler;
 use crate::motion::stage::Wanted;
-use crate::scene::{Figure, Look, Off, ScaleBar, Scene, Timeline, Trail};
+use crate::scene::{Figure, Look, Mark, Off, ScaleBar, Scene, Timeline, Tint, Trail};
 use crate::view::texts::{self, Facts};
 
 /// How long a trace is: seconds of the motion, and points in it.
@@ -29,20 +30,25 @@ impl App {
         let frame = self.frame();
         self.stage.read_reference(frame, &mut memory.frame, &mut memory.reference);
         let anchor = self.stage.anchor_of(&memory.reference);
+        let edited = self.edited().cloned();
+        // Of an edited motion both figures are the reference's.
+        let shown = if edited.is_some() { Shown::Reference } else { shown };
+        let interpolated = edited.as_ref().and_then(|edited| edited.pose(frame));
         let posed = match shown {
             Shown::Reference => None,
             Shown::Student(answers) => answers.posed(frame),
         };
         self.point_camera(
             &memory.reference,
-            posed.map(|posed| &posed.pose),
+            (posed.map(|posed| &posed.pose), interpolated),
             anchor,
             &mut memory.places,
             size,
         );
 
         let (stage, settings) = (&self.stage, self.settings);
-        scene.camera = self.camera;
+        let beside = self.beside();
+        scene.camera = self.camera_between(self.camera);
         scene.ground = stage.ground();
         scene.style = settings.style;
         scene.size = stage.size();
@@ -51,6 +57,7 @@ impl App {
         scene.figures.clear();
         scene.trails.clear();
         scene.panels.clear();
+        scene.keyframes.clear();
 
         let standing = match shown {
             Shown::Reference => None,
@@ -62,17 +69,25 @@ impl App {
         let judged =
             board.is_some_and(|board| board.rows.last().is_none_or(|row| row.state != PartState::NotStarted));
         let solid = match shown {
-            Shown::Reference => Some(&memory.reference),
+            Shown::Reference => Some(interpolated.unwrap_or(&memory.reference)),
             Shown::Student(_) => posed.map(|posed| &posed.pose),
         };
-        if standing.is_some() && settings.ghost {
+        if (standing.is_some() || edited.is_some()) && settings.ghost {
             let wanted = Wanted { look: Look::Ghost, ..Wanted::default() };
-            stage.fill(scene.figures.add(), &memory.reference, &wanted);
+            let ghost = scene.figures.add();
+            stage.fill(ghost, &memory.reference, &wanted);
+            if let Some(beside) = beside {
+                ghost.shift(beside);
+            }
         }
         if let Some(pose) = solid {
             let current = standing.as_ref().is_none_or(|standing| standing.current);
             let wanted = Wanted {
-                look: if current { Look::Solid } else { Look::Dimmed },
+                look: match current {
+                    true if self.flashes(frame) => Look::Flash,
+                    true => Look::Solid,
+                    false => Look::Dimmed,
+                },
                 axes: settings.axes,
                 expected: standing.as_ref().map(|_| &memory.reference),
                 judged,
@@ -80,12 +95,19 @@ impl App {
             };
             stage.fill(scene.figures.add(), pose, &wanted);
         }
+        if let Some(pose) = interpolated.filter(|_| settings.edit.errors) {
+            self.error_vectors(scene, pose, &memory.reference);
+        }
         let worst = scene.figures.last().map_or(Off::Right, worst);
 
         if settings.traces {
             self.trace(scene, shown, &mut memory.past_frame, &mut memory.past);
         }
         scene.timeline = self.timeline();
+        if let Some(edited) = edited.as_ref().filter(|_| settings.words) {
+            scene.keyframes.extend_from_slice(&edited.keyframes);
+        }
+        self.fill_plot(&mut scene.plot);
         if settings.words {
             scale_bar(scene, size);
             let facts = Facts {
@@ -98,10 +120,14 @@ impl App {
                 angles: &memory.frame.angles,
                 local_positions: &memory.frame.local_positions,
                 worst,
+                edited: edited.as_deref(),
                 outside: solid.map_or(0, |pose| outside(stage.places(pose), &scene.camera, size)),
                 size: (size.0 as f32 / settings.text_scale, size.1 as f32 / settings.text_scale),
             };
-            texts::panels(&facts, &mut scene.panels);
+            match (texts::panels(&facts, &mut scene.panels), &mut scene.plot) {
+                (Some(behind), Some(plot)) => plot.behind = behind,
+                _ => scene.plot = None,
+            }
         } else {
             scene.scale_bar = None;
         }
@@ -119,17 +145,37 @@ impl App {
         })
     }
 
+    /// Arrows from the tips of an interpolated figure to where they are in the original, for those that are clearly off.
+    fn error_vectors(&self, scene: &mut Scene, pose: &Pose, original: &Pose) {
+        let stage = &self.stage;
+        for tip in &self.tips {
+            let place = |pose: &Pose| stage.place(pose.transforms()[*tip].position);
+            let (from, to) = (place(pose), place(original));
+            if Off::by(from.distance(to) / stage.size()) > Off::Right && from.is_finite() {
+                let (text, text_offset) = (String::new(), (0, 0));
+                scene.marks.push(Mark { from: Some(from), to, text, text_offset, tint: Tint::Error });
+            }
+        }
+    }
+
     fn point_camera(
         &mut self,
         reference: &Pose,
-        students: Option<&Pose>,
+        (students, interpolated): (Option<&Pose>, Option<&Pose>),
         anchor: Vec3,
         places: &mut Vec<Vec3>,
         size: (usize, usize),
     ) {
         let stage = self.stage.clone();
+        let beside = self.beside();
         places.clear();
         places.extend(stage.places(reference));
+        if self.aim == Aim::Everything && (interpolated.is_some() || beside.is_some()) {
+            // The camera will stand beside the figure that it looks at.
+            let (aside, back) = (beside.unwrap_or(Vec3::ZERO), -0.5 * beside.unwrap_or(Vec3::ZERO));
+            places.iter_mut().for_each(|place| *place += aside + back);
+            places.extend(stage.places(interpolated.unwrap_or(reference)).map(|place| place + back));
+        }
         let own = places.len();
         places.extend(students.into_iter().flat_map(|pose| stage.places(pose)));
         let (reference, own) = places.split_at(own);
@@ -160,10 +206,10 @@ impl App {
                 continue;
             }
             let pose = match shown {
-                Shown::Reference => {
+                Shown::Reference => Some(self.interpolated_pose(index).unwrap_or_else(|| {
                     stage.read_reference(index, frame, past);
-                    Some(&*past)
-                }
+                    past
+                })),
                 // Where an older version had put them is not where these functions put them.
                 Shown::Student(answers) if answers.version(index) != answers.version(self.frame()) => None,
                 Shown::Student(answers) => answers.posed(index).map(|posed| &posed.pose),

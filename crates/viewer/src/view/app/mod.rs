@@ -2,7 +2,9 @@
 //! from it.
 
 mod aim;
+mod editing;
 mod fill;
+mod plot;
 #[cfg(test)]
 mod tests;
 
@@ -12,13 +14,14 @@ use glam::Vec3;
 use skeleton::{Frame, Joint, Pose};
 
 use crate::camera::Camera;
-use crate::motion::stage::Stage;
+use crate::motion::stage::{Stage, tips};
 use crate::scene::Style;
 use crate::view::answers::Answers;
 use crate::view::player::Player;
 use crate::window::keys::Action;
 
 use aim::Aim;
+pub use editing::{EditSettings, Editing};
 
 /// Whose functions move the figure.
 #[derive(Clone, Copy)]
@@ -52,6 +55,8 @@ pub struct Settings {
     pub words: bool,
     /// How large texts are: 1 is the size for an ordinary display.
     pub text_scale: f32,
+    /// What is edited of the motion, and how that is shown.
+    pub edit: EditSettings,
 }
 
 impl Default for Settings {
@@ -67,6 +72,7 @@ impl Default for Settings {
             still: false,
             words: true,
             text_scale: 1.0,
+            edit: EditSettings::default(),
         }
     }
 }
@@ -87,6 +93,9 @@ pub struct App {
     offset: Vec3,
     aim: Aim,
     selected: Option<usize>,
+    /// The End Sites, and leaves without one.
+    tips: Vec<usize>,
+    editing: Editing,
     memory: Memory,
 }
 
@@ -110,12 +119,14 @@ impl App {
             player: Player::new(stage.frame_count(), stage.motion().playable_frame_time()),
             offset: camera.target - anchor,
             camera,
+            tips: tips(stage.motion().skeleton().joints()),
             stage,
             title,
             warnings,
             unreadable: Vec::new(),
             aim: Aim::Meet,
             selected: None,
+            editing: Editing::default(),
             memory: Memory::default(),
         }
     }
@@ -124,6 +135,8 @@ impl App {
     pub fn replace(&mut self, stage: Arc<Stage>, warnings: Vec<String>) {
         let before = std::mem::replace(&mut self.stage, stage);
         let motion = self.stage.motion();
+        self.tips = tips(motion.skeleton().joints());
+        self.editing = Editing::default();
         self.player = self.player.for_motion(self.stage.frame_count(), motion.playable_frame_time());
         let (old, new) = (before.motion().skeleton().joints(), motion.skeleton().joints());
         self.selected = self.selected.and_then(|joint| same_joint(old, joint, new));
@@ -193,7 +206,15 @@ impl App {
     /// A line for the window's title bar.
     pub fn window_title(&self) -> String {
         let playing = if self.player.is_playing() { " · playing" } else { "" };
-        format!("{} · frame {} / {}{playing}", self.title, self.frame(), self.stage.motion().frame_count())
+        let edited = match self.settings.edit.interpolated() {
+            None => String::new(),
+            Some(representation) if self.settings.edit.automatic => {
+                format!(" · {} keyframes, {representation}", self.keyframe_count())
+            }
+            Some(representation) => format!(" · interpolated, {representation}"),
+        };
+        let count = self.stage.motion().frame_count();
+        format!("{} · frame {} / {count}{edited}{playing}", self.title, self.frame())
     }
 
     /// Plays, or does not.
@@ -225,6 +246,12 @@ impl App {
                 settings.follow = !settings.follow;
                 self.offset = self.camera.target - self.stage.anchor(self.player.frame());
             }
+            Action::Interpolate => settings.edit.next_representation(),
+            Action::Automatic => settings.edit.toggle_automatic(),
+            Action::Keyframes(by) => self.change_keyframes(by),
+            Action::Beside => settings.edit.beside = !settings.edit.beside,
+            Action::Errors => settings.edit.errors = !settings.edit.errors,
+            Action::Plot => settings.edit.plot = !settings.edit.plot,
             Action::Ghost => settings.ghost = !settings.ghost,
             Action::Traces => settings.traces = !settings.traces,
             Action::Axes => settings.axes = !settings.axes,

@@ -36,6 +36,16 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
     let (rotation, position) = (expected.rotation.to_array(), expected.position.to_array());
     let Some(given) = facts.solid.and_then(|pose| pose.transforms().get(id.0)) else { return };
     match facts.shown {
+        Shown::Reference if facts.edited.is_some() => {
+            panel.add(Line::Text, "global rotation (x, y, z, w)");
+            panel.add(Line::Key("shown"), Row(&given.rotation.to_array(), 4));
+            panel.add(Line::Key("original"), Row(&rotation, 4));
+            panel.add(Line::Text, "global position, in the file's units");
+            panel.add(Line::Key("shown"), Row(&given.position.to_array(), digits));
+            panel.add(Line::Key("original"), Row(&position, digits));
+            let off = Rounded(f64::from(given.position.distance(expected.position)));
+            panel.add(Line::Key("apart"), format_args!("{off}"));
+        }
         Shown::Reference => {
             panel.add(Line::Key("rotation"), Row(&rotation, 4));
             panel.add(Line::Key("position"), Row(&position, digits));

@@ -30,6 +30,15 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
     if app.settings.ghost && students {
         panel.add(Line::Legend(Tint::Ghost), "the goal");
     }
+    if facts.edited.is_some() {
+        if app.settings.ghost {
+            panel.add(Line::Legend(Tint::Ghost), "the original");
+        }
+        if app.settings.edit.errors {
+            panel.add(Line::Legend(Tint::Error), "arrow: to the original's tip");
+        }
+        panel.add(Line::Legend(Tint::Keyframe), "keyframe");
+    }
     let cell = f64::from(stage.ground().cell);
     panel.add(Line::Text, format_args!("grid: {} units of the file", Rounded(cell)));
 }

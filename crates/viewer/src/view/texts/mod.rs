@@ -1,5 +1,6 @@
 //! The words in the picture: what is shown, what is wrong, what the colours mean, what the keys do.
 
+mod edit;
 mod joint;
 mod legend;
 mod number;
@@ -12,6 +13,7 @@ use exam::fk::{LocalAnswer, PosedFrame};
 use glam::Vec3;
 use skeleton::Pose;
 
+use crate::edit::Edited;
 use crate::live::student::Standing;
 use crate::scene::{Corner, Line, Off, Panel, Pool};
 use crate::view::app::{App, Shown};
@@ -38,6 +40,8 @@ pub struct Facts<'a> {
     pub worst: Off,
     /// How many joints the picture does not show.
     pub outside: usize,
+    /// The motion with interpolated frames, where the figures show it.
+    pub edited: Option<&'a Edited>,
     /// Width and height of the picture, in pixels of an ordinary display.
     pub size: (f32, f32),
 }
@@ -49,22 +53,43 @@ impl Facts<'_> {
         answers.locals(self.app.frame()).filter(|_| self.standing.is_some_and(|standing| standing.current))
     }
 
+    /// Whether there is room for words beside the figure.
+    fn is_roomy(&self) -> bool {
+        self.has_room(800.0, 450.0)
+    }
+
+    /// Whether there is room for a plot beside what is more important.
+    fn has_room_for_plot(&self) -> bool {
+        self.has_room(720.0, 440.0)
+    }
+
     /// Whether the picture has at least this much room.
     fn has_room(&self, width: f32, height: f32) -> bool {
         self.size.0 >= width && self.size.1 >= height
     }
 }
 
-/// All texts, each in its corner.
-pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) {
+/// All texts, each in its corner. Gives how many of them come before a plot; `None` when there is none beside them.
+pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
     panels.clear();
     let settings = &facts.app.settings;
     state::write(facts, begin(panels, Corner::TopLeft));
     if settings.help {
-        return help(facts, panels);
+        help(facts, panels);
+        return None;
     }
+    let edit = &settings.edit;
+    if let Some(editing) = facts.app.editing() {
+        edit::write(facts, editing, begin(panels, Corner::TopLeft));
+    } else if (edit.errors || edit.plot) && !settings.still {
+        edit::write_hint(facts, begin(panels, Corner::TopLeft));
+    }
+    if !settings.still {
+        begin(panels, Corner::BottomRight).add(Line::Key("h"), "help");
+    }
+    let before_plot = panels.len();
     // A figure that is covered by words is of no use.
-    let (room, roomy) = (facts.has_room(300.0, 300.0), facts.has_room(800.0, 450.0));
+    let (room, roomy) = (facts.has_room(300.0, 300.0), facts.is_roomy());
     if settings.points && room {
         let corner = if roomy { Corner::TopRight } else { Corner::BottomLeft };
         points::write(facts, begin(panels, corner));
@@ -72,12 +97,10 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) {
     if facts.app.selected().is_some() && room {
         joint::write(facts, begin(panels, Corner::TopRight));
     }
-    if !settings.still {
-        begin(panels, Corner::BottomRight).add(Line::Key("h"), "help");
-    }
     if roomy {
         legend::write(facts, begin(panels, Corner::BottomLeft));
     }
+    facts.has_room_for_plot().then_some(before_plot)
 }
 
 fn begin(panels: &mut Pool<Panel>, corner: Corner) -> &mut Panel {
@@ -89,11 +112,18 @@ fn begin(panels: &mut Pool<Panel>, corner: Corner) -> &mut Panel {
 /// All keys, in two columns where one would be too high.
 fn help(facts: &Facts, panels: &mut Pool<Panel>) {
     let count = keys::help().count();
-    let first = if facts.has_room(0.0, 700.0) { count } else { count.div_ceil(2) };
+    // With a line for each, and what stands above.
+    let first = if facts.has_room(0.0, 20.0 * count as f32 + 160.0) { count } else { count.div_ceil(2) };
     for (corner, from, to) in [(Corner::TopLeft, 0, first), (Corner::TopRight, first, count)] {
         let panel = begin(panels, corner);
         keys::help().take(to).skip(from).for_each(|(name, help)| panel.add(Line::Key(name), help));
     }
+}
+
+/// A number as people read it.
+pub fn write_number(text: &mut String, number: f64) {
+    // A string takes whatever is written to it.
+    let _ = write!(text, "{}", Rounded(number));
 }
 
 /// A length in the words of the scale bar.

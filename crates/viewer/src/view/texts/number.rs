@@ -10,7 +10,16 @@ impl fmt::Display for Rounded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let number = self.0;
         if !(1e-3..1e7).contains(&number.abs()) {
-            return if number == 0.0 { f.write_str("0") } else { write!(f, "{number:.0e}") };
+            if number == 0.0 || !number.is_finite() {
+                return write!(f, "{}", number + 0.0);
+            }
+            let mut digits = 2;
+            let mut whole = (number.abs() / 10f64.powf(number.abs().log10().floor() - 2.0)).round();
+            while digits > 0 && whole % 10.0 == 0.0 {
+                whole /= 10.0;
+                digits -= 1;
+            }
+            return write!(f, "{number:.digits$e}");
         }
         let mut digits = (2 - number.abs().log10().floor() as i32).clamp(0, 6) as usize;
         let mut whole = (number.abs() * 10f64.powi(digits as i32)).round();
@@ -61,6 +70,11 @@ mod tests {
             (29.97, "30"),
             (0.002, "0.002"),
             (2e11, "2e11"),
+            (9_536_159_843.6, "9.54e9"),
+            (1.5e10, "1.5e10"),
+            (0.999_9e9, "1e9"),
+            (0.000_012_34, "1.23e-5"),
+            (f64::INFINITY, "inf"),
             (0.0, "0"),
             (-0.25, "-0.25"),
             (59.94, "59.9"),

@@ -77,6 +77,10 @@ fn frame(facts: &Facts, panel: &mut Panel) {
 }
 
 fn functions(facts: &Facts, panel: &mut Panel) {
+    // Whose an edited motion is, is told with it.
+    if facts.edited.is_some() {
+        return;
+    }
     let Some(standing) = facts.standing else {
         return panel.add(Line::Text, "the reference solution's figure");
     };

@@ -2,6 +2,7 @@
 
 mod camera;
 mod changes;
+mod editing;
 mod texts;
 
 use skeleton::{FkFunctions, PositionChannels};

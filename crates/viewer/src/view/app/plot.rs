@@ -1,0 +1,110 @@
+//! The plot of errors: how they grow with the number of interpolated frames.
+
+use std::fmt::Write;
+
+use skeleton::Representation;
+
+use super::App;
+use crate::edit::{Edited, is_too_long};
+use crate::scene::{Plot, Pool, Tick};
+use crate::view::texts::write_number;
+
+/// The most points of a curve: more could not be told apart.
+const MOST_POINTS: usize = 400;
+
+/// The most numbers on an axis.
+const MOST_TICKS: f64 = 4.0;
+
+/// The share of the height that stays free above the highest error.
+const ABOVE: f64 = 0.06;
+
+impl App {
+    /// Makes `plot` that of the edited motion, if it is wanted and there is anything to show.
+    pub(super) fn fill_plot(&self, plot: &mut Option<Plot>) {
+        let edited = self.editing().filter(|_| self.settings.edit.plot && self.settings.words);
+        let Some(editing) = edited.filter(|editing| editing.failure.is_none()) else {
+            *plot = None;
+            return;
+        };
+        let plot = plot.get_or_insert_with(Plot::default);
+        write(&mut plot.upwards, format_args!("accumulated error (units²)"));
+        write(&mut plot.rightwards, format_args!("interpolated frames"));
+        plot.note.clear();
+        plot.mark = None;
+        plot.columns.clear();
+        plot.rows.clear();
+        plot.curves.clear();
+        match &editing.edited {
+            Some(edited) if edited.curves.is_some() => curves(plot, edited),
+            _ if is_too_long(&self.stage, self.stage.motion().frame_count()) => {
+                write(&mut plot.note, format_args!("the motion is too long for its curves"));
+            }
+            _ => match editing.progress {
+                Some((done, of)) if of > 0 => {
+                    write(&mut plot.note, format_args!("calculating… {} %", 100 * done.min(of) / of));
+                }
+                _ => write(&mut plot.note, format_args!("calculating…")),
+            },
+        }
+    }
+}
+
+fn curves(plot: &mut Plot, edited: &Edited) {
+    let Some(curves) = &edited.curves else { return };
+    let errors = |representation: Representation| {
+        let errors = curves.errors(representation);
+        &errors[..errors.len().min(edited.interpolated + 1)]
+    };
+    let all = Representation::ALL.into_iter().flat_map(errors);
+    let highest = all.copied().chain([edited.error]).filter(|error| error.is_finite()).fold(0.0, f64::max);
+    let (widest, highest) = (edited.interpolated.max(1) as f64, positive(highest * (1.0 + ABOVE)));
+    let place = |frames: usize, error: f64| ((frames as f64 / widest) as f32, (error / highest) as f32);
+    ticks(&mut plot.columns, widest, 1.0);
+    ticks(&mut plot.rows, highest, 0.0);
+    for representation in Representation::ALL {
+        let errors = errors(representation);
+        let curve = plot.curves.add();
+        curve.representation = representation;
+        curve.points.clear();
+        let last = errors.len().saturating_sub(1);
+        let step = errors.len().div_ceil(MOST_POINTS).max(1);
+        let some = (0..last).step_by(step).chain([last]);
+        curve.points.extend(some.filter_map(|frames| Some(place(frames, *errors.get(frames)?))));
+    }
+    plot.mark = Some(place(edited.interpolated, edited.error));
+}
+
+/// Round numbers from 0 up to `most`, at least `least` apart.
+fn ticks(ticks: &mut Pool<Tick>, most: f64, least: f64) {
+    let step = round_step(most / MOST_TICKS).max(least);
+    let mut number = 0.0;
+    // A few more than there should be, should a number be too large to grow by its step.
+    for _ in 0..8 {
+        let tick = ticks.add();
+        tick.at = (number / most) as f32;
+        tick.label.clear();
+        write_number(&mut tick.label, number);
+        number += step;
+        if number > most {
+            break;
+        }
+    }
+}
+
+/// The least of 1, 2 and 5 times a power of ten that is not below `number`.
+fn round_step(number: f64) -> f64 {
+    let power = 10f64.powf(number.log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
+    steps.into_iter().find(|step| *step >= number * 0.9999).unwrap_or(10.0 * power)
+}
+
+/// The same number, or 1 where it is none to divide by.
+fn positive(number: f64) -> f64 {
+    if number.is_normal() && number > 0.0 { number } else { 1.0 }
+}
+
+fn write(text: &mut String, words: std::fmt::Arguments) {
+    text.clear();
+    // A string takes whatever is written to it.
+    let _ = text.write_fmt(words);
+}
