@@ -12,7 +12,7 @@ use crate::motion::source::{Loaded, Source};
 use crate::motion::upright::Up;
 use crate::output::frames::{self, FrameRange};
 use crate::scene::Style;
-use crate::view::app::Settings;
+use crate::view::app::{EditSettings, Settings};
 use crate::view::gallery::Gallery;
 use crate::window::keys;
 
@@ -233,6 +233,7 @@ impl Arguments {
                 } = shown;
             }
         }
+        settings.edit = EditSettings::for_exercise(self.exercise);
         settings.style = if self.lines { Style::Lines } else { Style::Lit };
         settings.text_scale = self.scale;
         // Captions say what there is to say on a sheet.

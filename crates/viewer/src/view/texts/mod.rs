@@ -5,6 +5,7 @@ mod joint;
 mod legend;
 mod number;
 mod points;
+mod sister;
 mod state;
 
 use std::fmt::Write;
@@ -51,6 +52,11 @@ impl Facts<'_> {
     fn student_locals(&self) -> Option<&[LocalAnswer]> {
         let Shown::Student(answers) = self.shown else { return None };
         answers.locals(self.app.frame()).filter(|_| self.standing.is_some_and(|standing| standing.current))
+    }
+
+    /// How things stand with the student's functions, whatever they do.
+    fn standing_of_any(&self) -> Option<&Standing> {
+        self.app.sister().map(|sister| &sister.standing).or(self.standing)
     }
 
     /// Whether there is room for words beside the figure.

@@ -153,7 +153,11 @@ fn a_save_brings_a_new_hand_for_every_motion() {
     assert!(!hands.standing(0).current);
     hands.rebuilder().rebuild();
     let mut newest = next_hand(&mut hands);
-    assert_eq!(hands.standing(1).status, Status::Asking, "what the version before has answered does not count");
+    assert_eq!(
+        hands.standing(1).status,
+        Status::Asking,
+        "what the version before has answered does not count"
+    );
     assert!((height(&mut *newest) - 200.0).abs() < 1e-3);
 }
 
