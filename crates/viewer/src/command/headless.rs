@@ -8,7 +8,7 @@ use exam::WorkerProcess;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::{Arguments, Output};
-use super::{say, text, workspace};
+use super::{edited, say, text, workspace};
 use crate::draw::Painter;
 use crate::draw::canvas::Canvas;
 use crate::live::board::Board;
@@ -77,8 +77,13 @@ impl Studio {
             frames,
             seconds,
         };
-        if !arguments.solution {
-            studio.ask();
+        match arguments.exercise {
+            _ if arguments.solution => edited::by_reference(&mut studio.gallery),
+            Package::Fk => {
+                edited::by_reference(&mut studio.gallery);
+                studio.ask();
+            }
+            package => edited::by_student(package, &workspace(), &mut studio.gallery),
         }
         Ok(studio)
     }

@@ -1,6 +1,7 @@
 //! The command `cargo view`.
 
 mod arguments;
+mod edited;
 mod headless;
 mod print;
 mod targets;

@@ -1,6 +1,6 @@
 //! Questions about whole motions, and what can be wrong with the answers.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use exam::interpolation::{Answer as InterpolationAnswer, Question as InterpolationQuestion};
 use exam::keyframes::{Answer as KeyframesAnswer, Question as KeyframesQuestion, Reduction};
@@ -117,11 +117,14 @@ impl<'a> Stretch<'a> {
 
     /// What is wrong with `frames`, which fail as `failure` says: where the first one fails too, it is named.
     fn find(&self, subject: &mut dyn Subject, frames: &[usize], failure: Failure) -> Wrong {
-        if !matches!(failure, Failure::NoAnswer { .. }) {
-            for frame in frames {
-                if let Err(failure) = self.ask(subject, &[*frame], FRAME_LIMIT) {
-                    return Wrong::failed(failure, [self.place(*frame)]);
-                }
+        let begin = Instant::now();
+        for frame in frames {
+            // Functions that are only slow would be asked for long.
+            if matches!(failure, Failure::NoAnswer { .. }) || begin.elapsed() > 2 * PATIENCE {
+                break;
+            }
+            if let Err(failure) = self.ask(subject, &[*frame], FRAME_LIMIT) {
+                return Wrong::failed(failure, [self.place(*frame)]);
             }
         }
         let [.., last] = frames else { return Wrong::failed(failure, []) };
@@ -194,7 +197,7 @@ pub(super) fn reduce(
         Ok(_) => return Err(Wrong::failed(unfit(), [place(counts)])),
         Err(failure) => {
             let slow = matches!(failure, Failure::TimedOut { .. });
-            let hint = "Or they are only slow: a shorter motion, such as data/dance.bvh, tells.";
+            let hint = "Or it is only slow: a shorter motion, such as data/dance.bvh, tells.";
             return Err(Wrong::failed(failure, [place(counts)].into_iter().chain(slow.then(|| hint.into()))));
         }
     };

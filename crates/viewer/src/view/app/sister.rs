@@ -2,7 +2,7 @@
 
 use super::{App, EditSettings};
 use crate::live::package::Package;
-use crate::live::student::Standing;
+use crate::live::student::{Standing, Status};
 
 /// How things stand with them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,8 +36,19 @@ impl App {
         self.sister.as_ref()
     }
 
-    /// Whether an edited motion is not what the student's functions make of it as they were saved last.
-    pub(super) fn is_outdated(&self) -> bool {
-        self.sister.as_ref().is_some_and(|sister| !sister.standing.current)
+    /// Whether the edited motion is not what the student's functions make of it as they were saved last.
+    pub fn is_outdated(&self) -> bool {
+        let Some(sister) = self.sister.as_ref().filter(|sister| self.has_part(sister)) else { return false };
+        match sister.standing.status {
+            Status::Compiling | Status::Failed(_) => true,
+            Status::Asking => self.editing().is_some_and(|editing| editing.stale),
+            Status::Answered => false,
+        }
+    }
+
+    /// Whether the functions have a part in what is edited now. Between keyframes that are set by hand nothing is left to
+    /// choose.
+    fn has_part(&self, sister: &Sister) -> bool {
+        self.wish().is_some() && (sister.package != Package::Keyframes || self.settings.edit.automatic)
     }
 }

@@ -85,7 +85,9 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
         return None;
     }
     let edit = &settings.edit;
-    if let Some(editing) = facts.app.editing() {
+    if sister::has_told_all(facts) {
+        // Nothing is edited, and why is told above.
+    } else if let Some(editing) = facts.app.editing() {
         edit::write(facts, editing, begin(panels, Corner::TopLeft));
     } else if (edit.errors || edit.plot) && !settings.still {
         edit::write_hint(facts, begin(panels, Corner::TopLeft));
