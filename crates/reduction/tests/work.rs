@@ -5,10 +5,10 @@ mod support;
 
 use std::cell::Cell;
 
-use reduction::{Errors, greedy};
+use reduction::{Errors, greedy, local_moves, optimum};
 use skeleton::RemovalCosts;
 use solutions::keyframes::{Removals, reduce};
-use support::{both, dance, dance_with_a_pause, noisy, running, still};
+use support::{both, dance, dance_with_a_pause, go_on, noisy, posed_gap, running, still};
 
 #[test]
 fn the_runner_takes_at_most_thirty_thousand_poses() {
@@ -27,6 +27,7 @@ fn a_still_motion_takes_no_pose() {
     for frames in [still(&frames[60], 5_508), noisy(&frames[60], 5_508)] {
         for errors in both(&(skeleton.clone(), frames)) {
             greedy(&errors, 2);
+            assert_eq!(errors.of_frame(0, 5_507, 100), 0.0);
             assert_eq!(errors.poses(), 0);
         }
     }
@@ -87,6 +88,32 @@ fn nothing_is_posed_when_all_frames_stay() {
     for errors in both(&dance()) {
         greedy(&errors, 141);
         assert_eq!(errors.poses(), 0);
+    }
+}
+
+#[test]
+fn exact_costs_are_not_posed_when_enough_goes_for_nothing() {
+    for errors in both(&dance_with_a_pause(1_000)) {
+        assert_eq!(greedy(&errors, 1_000).len(), 1_000);
+        // One for each frame that moves, and one for the frame before the pause after each removal.
+        assert!(errors.poses() <= 140 + 140 + 4, "{}", errors.poses());
+    }
+}
+
+#[test]
+fn what_is_remembered_does_not_depend_on_why_it_was_posed() {
+    for errors in both(&dance()) {
+        let moved = local_moves(&errors, &[20, 40, 60, 100], &mut go_on);
+        optimum(&errors, 10, None, &mut go_on);
+        for start in 0..140 {
+            for end in start + 1..141.min(start + 25) {
+                assert_eq!(errors.of_gap(start, end), posed_gap(&errors, start, end), "{start} {end}");
+            }
+        }
+        assert_eq!(
+            errors.of_keyframes(&moved),
+            moved.windows(2).fold(0.0, |sum, gap| sum + posed_gap(&errors, gap[0], gap[1]))
+        );
     }
 }
 

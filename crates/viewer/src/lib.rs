@@ -3,6 +3,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`motion`] | puts a motion on a stage: how large its figure is, which way is up, where the ground is |
+//! | [`edit`] | interpolates frames of a motion, between keyframes that are set by hand or chosen automatically |
 //! | [`live`] | follows the student's file: notices a save, builds, asks, counts points |
 //! | [`view`] | the state that keys and mouse change, and the scene that follows from it |
 //! | [`scene`] | what is to be seen: plain data, without a pixel in it |

@@ -17,6 +17,9 @@ struct Gate {
     leave: Sender<()>,
 }
 
+/// What is said when work was broken off.
+const BROKEN_OFF: (usize, usize) = (usize::MAX, 0);
+
 fn gated() -> (Box<dyn Hand>, Gate) {
     let (asked, hears) = mpsc::channel();
     let (leave, waits) = mpsc::channel();
@@ -50,7 +53,11 @@ impl Hand for Gated {
     fn curves(&mut self, stage: &Stage, progress: Progress) -> Option<Curves> {
         let _ = self.asked.send((0, 0));
         let _ = self.leave.recv();
-        self.hand.curves(stage, progress)
+        let curves = self.hand.curves(stage, progress);
+        if curves.is_none() {
+            let _ = self.asked.send(BROKEN_OFF);
+        }
+        curves
     }
 }
 
@@ -84,6 +91,23 @@ fn only_the_newest_wish_is_worked_for_and_nothing_waits() {
     engine.want(ends(0, 19));
     assert!(!engine.state().stale, "it is there already");
     assert!(gate.asked.try_recv().is_err());
+}
+
+#[test]
+fn work_for_an_older_wish_is_broken_off() {
+    let (hand, gate) = gated();
+    let mut engine = Engine::start(stage(30), Some(hand));
+    engine.want(Some(Wish { curves: true, ..wish(Keys::Ends(0, 10)) }));
+    gate.leave.send(()).unwrap();
+    assert_eq!(gate.asked.recv(), Ok((0, 10)));
+    assert_eq!(gate.asked.recv(), Ok((0, 0)));
+    engine.want(ends(0, 12));
+    gate.leave.send(()).unwrap();
+    assert_eq!(gate.asked.recv(), Ok(BROKEN_OFF));
+    assert_eq!(gate.asked.recv(), Ok((0, 12)));
+    gate.leave.send(()).unwrap();
+    engine.settle();
+    assert!(engine.state().failure.is_none() && shown(&engine) == Some(Keys::Ends(0, 12)));
 }
 
 #[test]
@@ -124,7 +148,20 @@ fn wishes_wait_for_a_hand_and_another_hand_does_the_work_anew() {
 }
 
 #[test]
-fn another_stage_takes_the_old_result_away_even_one_that_comes_late() {
+fn a_result_that_was_on_its_way_when_the_motion_changed_is_not_shown() {
+    let (hand, gate) = gated();
+    let mut engine = Engine::start(stage(30), Some(hand));
+    engine.want(Some(Wish { curves: true, ..wish(Keys::Ends(0, 10)) }));
+    gate.leave.send(()).unwrap();
+    assert_eq!(gate.asked.recv(), Ok((0, 10)));
+    // The curves are asked for: the figure has been sent.
+    assert_eq!(gate.asked.recv(), Ok((0, 0)));
+    engine.replace_stage(stage(12));
+    assert!(!engine.update() && shown(&engine).is_none());
+}
+
+#[test]
+fn another_stage_takes_the_old_result_away() {
     let (hand, gate) = gated();
     let mut engine = Engine::start(stage(30), Some(hand));
     engine.want(ends(0, 29));
@@ -148,7 +185,8 @@ fn the_figure_comes_before_the_curves_and_is_not_made_twice() {
     let keys = Keys::Ends(0, 10);
     engine.want(Some(Wish { curves: true, ..wish(keys) }));
     gate.leave.send(()).unwrap();
-    assert_eq!((gate.asked.recv(), gate.asked.recv()), (Ok((0, 10)), Ok((0, 0))));
+    assert_eq!(gate.asked.recv(), Ok((0, 10)));
+    assert_eq!(gate.asked.recv(), Ok((0, 0)));
     // The curves are waited for: the figure has been sent.
     assert!(engine.update());
     let state = engine.state();

@@ -93,7 +93,7 @@ pub struct Editing {
     pub progress: Option<(usize, usize)>,
     /// Why there is no result.
     pub failure: Option<Arc<NotEdited>>,
-    /// For how many pictures in a row something has been missing.
+    /// For how many pictures in a row nothing new has come, though something is missing.
     pub waited: u32,
 }
 
@@ -135,12 +135,17 @@ impl App {
 
     /// Shows what an engine has made of the [`wish`](App::wish) so far.
     pub fn show_edit(&mut self, state: EngineState) {
+        let same = match (&self.editing.edited, state.edited) {
+            (Some(shown), Some(newest)) => Arc::ptr_eq(shown, newest),
+            (shown, newest) => shown.is_none() == newest.is_none(),
+        };
+        let waits = state.progress.is_some() && same;
         self.editing = Editing {
             edited: state.edited.cloned(),
             stale: state.stale,
             progress: state.progress,
             failure: state.failure.cloned(),
-            waited: if state.progress.is_some() { self.editing.waited.saturating_add(1) } else { 0 },
+            waited: if waits { self.editing.waited.saturating_add(1) } else { 0 },
         };
     }
 

@@ -1,6 +1,8 @@
 //! What the words in the picture say.
 
 use super::*;
+use crate::draw::Painter;
+use crate::draw::canvas::Canvas;
 
 #[test]
 fn they_say_where_we_are_and_what_is_wrong() {
@@ -33,6 +35,31 @@ fn help_names_every_key() {
     let help = words(&app.scene(Shown::Reference, SIZE));
     for (name, text) in crate::window::keys::help() {
         assert!(help.contains(name) && help.contains(text), "{text}");
+    }
+}
+
+#[test]
+fn all_keys_are_seen_in_a_window_of_the_usual_size() {
+    const SIZE: (usize, usize) = (1280, 720);
+    let mut app = app(5);
+    app.act(Action::Help);
+    let scene = app.scene(Shown::Reference, SIZE);
+    let (mut painter, mut canvas) = (Painter::new(), Canvas::new(SIZE.0, SIZE.1));
+    let mut drawn = |scene: &Scene| {
+        painter.draw(scene, &mut canvas);
+        canvas.pixels().to_vec()
+    };
+    let pixels = drawn(&scene);
+    assert_eq!(scene.panels.len(), 3, "two columns below the state of things");
+    // A last line that says something else is seen.
+    for panel in 1..3 {
+        let mut other = scene.clone();
+        let lines: Vec<_> = scene.panels[panel].lines().collect();
+        let changed = &mut other.panels.items_mut()[panel];
+        changed.begin(scene.panels[panel].corner);
+        lines[..lines.len() - 1].iter().for_each(|(line, text)| changed.add(*line, text));
+        changed.add(Line::Key("?"), "?");
+        assert!(drawn(&other) != pixels, "column {panel} is cut");
     }
 }
 

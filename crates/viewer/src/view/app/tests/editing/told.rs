@@ -1,7 +1,7 @@
 //! What is written and plotted of an edited motion.
 
 use super::*;
-use crate::edit::{EngineState, NotEdited};
+use crate::edit::{Edited, EngineState, NotEdited};
 
 #[test]
 fn curves_begin_without_an_error_rise_to_the_right_and_end_at_the_present_state() {
@@ -124,7 +124,11 @@ fn work_that_takes_long_is_told_and_work_that_does_not_is_not() {
     };
     assert!(!told(Some(&made), Some((20, 50)), 1).contains("calculating"));
     assert!(told(Some(&made), Some((20, 50)), 30).contains("calculating… 40 %"));
-    assert!(told(None, Some((0, 0)), 1).contains("calculating…"));
+    // One result after the other, as while a key is held: each is newer than the one before.
+    let newer = Arc::new(Edited::clone(&made));
+    assert!(!told(Some(&newer), Some((20, 50)), 10).contains("calculating"));
+    assert!(!told(Some(&made), Some((20, 50)), 10).contains("calculating"));
+    assert!(told(None, Some((0, 0)), 30).contains("calculating…"));
     assert!(!told(Some(&made), None, 1).contains("calculating"));
     let failure = Arc::new(NotEdited::Odd("no frames came back".into()));
     app.show_edit(EngineState { failure: Some(&failure), ..state });
