@@ -1,6 +1,7 @@
 //! The command `cargo view`.
 
 mod arguments;
+mod edited;
 mod headless;
 mod print;
 mod targets;
@@ -53,8 +54,9 @@ fn view(arguments: &Arguments) -> Result<(), String> {
     }
     let mut gallery = Gallery::new(apps);
     arguments.prepare(&mut gallery)?;
-    let workspace = (!arguments.solution).then(workspace);
-    let session = || Session::open(gallery, sources, workspace.as_deref());
+    let workspace = workspace();
+    let followed = (!arguments.solution).then_some((arguments.exercise, workspace.as_path()));
+    let session = || Session::open(gallery, sources, followed);
     window::open(session, arguments.size()).map_err(text)
 }
 

@@ -7,7 +7,7 @@ use inbetween::pose_of;
 use skeleton::{Frame, LocalPose, Pose};
 
 use super::edited::{Edited, Frames};
-use super::hand::{Hand, Progress};
+use super::hand::{Hand, Maker, Makers, Progress};
 use super::wish::{Keys, Wish};
 use crate::motion::stage::{Stage, tips};
 
@@ -124,9 +124,14 @@ pub(super) fn interpolate(
         }
     }
     let places = (scale.tips.len() * interpolated).max(1);
+    let makers = match wish.keys {
+        Keys::Automatic(_) => hand.makers(),
+        // Nobody's functions have chosen these.
+        Keys::Ends(..) => Makers { keyframes: Maker::default(), ..hand.makers() },
+    };
     Ok(Edited {
         wish: wish.clone(),
-        makers: hand.makers(),
+        makers,
         keyframes,
         interpolated,
         error,
