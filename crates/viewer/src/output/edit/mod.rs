@@ -1,0 +1,3 @@
+//! Motions reduced to keyframes, and what that costs, as files.
+
+pub mod angles;
