@@ -176,8 +176,9 @@ impl Iterator for Removals<'_> {
 
 impl Candidate {
     fn new(frame: usize, cost: f64, version: u32) -> Candidate {
-        // Of zeros, −0 would come before 0.
-        Candidate { frame, cost: cost + 0.0, version }
+        // Of zeros, −0 would come before 0. What is no number has a sign as well, and with a minus it would come first.
+        let cost = if cost.is_nan() { f64::NAN.copysign(1.0) } else { cost + 0.0 };
+        Candidate { frame, cost, version }
     }
 }
 

@@ -17,17 +17,24 @@
 //! That is what angles of some hundred degrees lose by being stored as `f32`, and far less than any camera sees.
 #![deny(missing_docs)]
 
+mod gap;
+mod lanes;
 mod still;
 mod tips;
 mod turn;
 
-use glam::{Quat, Vec3};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use gap::{Spare, Step, share};
+use glam::{Quat, Vec3, Vec4};
+use lanes::Rotations;
 use skeleton::{
     Clip, Frame, FrameCursor, Joint, LocalPose, Pose, Representation, RotationOrder, Skeleton, Transform,
 };
 
 pub use tips::Scratch;
 use tips::Tips;
+use turn::Halves;
 
 /// A motion whose frames can be posed as they are, or as they would be between keyframes.
 ///
@@ -36,6 +43,8 @@ use tips::Tips;
 /// `start`. A motion without frames stands in its rest pose.
 #[derive(Clone, Debug)]
 pub struct InbetweenClip {
+    /// No other clip has this number, except for clones.
+    id: u64,
     skeleton: Skeleton,
     representation: Representation,
     frame_count: usize,
@@ -43,8 +52,10 @@ pub struct InbetweenClip {
     places: Vec<Option<usize>>,
     /// How many joints have angles.
     turning: usize,
-    /// For each frame the angles of each joint that has any, in degrees.
+    /// For each frame the angles of each joint that has any, in degrees. Only where angles are interpolated.
     angles: Vec<[f32; 3]>,
+    /// Half of these, and also only there.
+    halves: Vec<Halves>,
     /// For each frame the local rotation of each joint.
     rotations: Vec<Quat>,
     /// For each frame the local position of each joint.
@@ -52,7 +63,11 @@ pub struct InbetweenClip {
     /// For each frame the number of the stretch that stands still with it.
     stretches: Vec<usize>,
     tips: Tips,
+    /// For those who bring no memory of their own.
+    spare: Spare,
 }
+
+static NEXT_ID: AtomicU64 = AtomicU64::new(0);
 
 /// The same, for functions that ask about any [`Clip`].
 pub fn clip(skeleton: &Skeleton, frames: &[Frame], representation: Representation) -> Box<dyn Clip> {
@@ -79,23 +94,29 @@ impl InbetweenClip {
         };
         let places: Vec<Option<usize>> = joints.iter().map(place).collect();
         let mut clip = InbetweenClip {
+            id: NEXT_ID.fetch_add(1, Ordering::Relaxed),
             skeleton: skeleton.clone(),
             representation,
             frame_count: frames.len(),
             places,
             turning,
-            angles: Vec::with_capacity(frames.len() * turning),
+            angles: Vec::new(),
+            halves: Vec::new(),
             rotations: Vec::with_capacity(frames.len() * joints.len()),
             positions: Vec::with_capacity(frames.len() * joints.len()),
             stretches: Vec::new(),
             tips: Tips::of(skeleton),
+            spare: Spare::default(),
         };
         for frame in frames {
             let mut cursor = FrameCursor::new(&frame.angles);
             let mut positions = frame.local_positions.iter().copied();
             for joint in joints {
                 let angles = joint.rotation_order.axes().map(|_| cursor.take3());
-                clip.angles.extend(angles);
+                if representation == Representation::Euler {
+                    clip.angles.extend(angles);
+                    clip.halves.extend(angles.map(Halves::of));
+                }
                 clip.rotations.push(turn::quaternion(joint.rotation_order, angles.unwrap_or_default()));
                 clip.positions.push(positions.next().unwrap_or(joint.offset));
             }
@@ -129,8 +150,12 @@ impl InbetweenClip {
     pub fn local_between(&self, start: usize, end: usize, frame: usize) -> LocalPose {
         match self.way(start, end, frame) {
             Way::Frame(frame) => self.local(frame),
-            Way::Between { start, end, t } => {
-                self.local_by(|joint| self.local_of_between(start, end, t, joint))
+            Way::Between { start, end, frame } => {
+                let t = Vec4::splat(share(start, end, frame));
+                self.local_by(|joint| {
+                    let (rotations, positions) = Step::new(self, start, end, joint).at(t);
+                    (rotations.unwrap_or(Rotations::IDENTITY).lane(0), positions.lane(0))
+                })
             }
         }
     }
@@ -155,20 +180,6 @@ impl InbetweenClip {
         (self.rotations[index], self.positions[index])
     }
 
-    fn local_of_between(&self, start: usize, end: usize, t: f32, joint: &Joint) -> (Quat, Vec3) {
-        let [from, to] = [start, end].map(|frame| frame * self.skeleton.len() + joint.id.0);
-        let position = self.positions[from].lerp(self.positions[to], t);
-        let Some(place) = self.places[joint.id.0] else { return (Quat::IDENTITY, position) };
-        let rotation = match self.representation {
-            Representation::Euler => {
-                let [from, to] = [start, end].map(|frame| self.angles[frame * self.turning + place]);
-                turn::Angles::new(joint.rotation_order, from, to).at(t)
-            }
-            Representation::Quaternion => turn::Arc::new(self.rotations[from], self.rotations[to]).at(t),
-        };
-        (rotation, position)
-    }
-
     /// How `frame` is come by between the keyframes `start` and `end`, whatever these three are.
     fn way(&self, start: usize, end: usize, frame: usize) -> Way {
         let last = self.frame_count.saturating_sub(1);
@@ -178,7 +189,7 @@ impl InbetweenClip {
         if frame == start || frame == end || self.is_still(start, end) {
             return Way::Frame(frame);
         }
-        Way::Between { start, end, t: (frame - start) as f32 / (end - start) as f32 }
+        Way::Between { start, end, frame }
     }
 }
 
@@ -186,8 +197,8 @@ impl InbetweenClip {
 enum Way {
     /// It is this one, as it is.
     Frame(usize),
-    /// It is between two others, both of which there are.
-    Between { start: usize, end: usize, t: f32 },
+    /// It is between two others, and all three there are.
+    Between { start: usize, end: usize, frame: usize },
 }
 
 impl Clip for InbetweenClip {
@@ -202,9 +213,13 @@ impl Clip for InbetweenClip {
     fn between(&self, start: usize, end: usize, frame: usize, pose: &mut Pose) {
         match self.way(start, end, frame) {
             Way::Frame(frame) => self.original(frame, pose),
-            Way::Between { start, end, t } => {
-                fill(&self.skeleton, pose, |joint| self.local_of_between(start, end, t, joint));
-            }
+            Way::Between { start, end, frame } => self.spare.lend(|gap| {
+                pose.reset(self.skeleton.len());
+                let posed = gap.pose(self, start, end, frame);
+                for joint in self.skeleton.joints() {
+                    pose[joint.id] = posed.transform(joint.id.0);
+                }
+            }),
         }
     }
 }

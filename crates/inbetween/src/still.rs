@@ -53,7 +53,8 @@ fn is_same_position(a: Vec3, b: Vec3, tolerance: f32) -> bool {
 }
 
 fn is_same_angle(a: f32, b: f32) -> bool {
-    a.to_bits() == b.to_bits() || shorter_way(b - a).abs() <= ANGLE
+    // Of the remainders, because a difference to something huge is nothing but rounding.
+    a.to_bits() == b.to_bits() || shorter_way(b % 360.0 - a % 360.0).abs() <= ANGLE
 }
 
 fn is_same_rotation(a: Quat, b: Quat) -> bool {

@@ -3,12 +3,14 @@
 use glam::Vec3;
 use skeleton::{Clip, Pose, Skeleton};
 
+use crate::gap::Gap;
 use crate::{InbetweenClip, Way};
 
-/// Memory that is used again from one pose to the next.
+/// Memory that is used again from one pose to the next. It may serve any clips in turn; it serves frames of the same gap, one
+/// after the other, best.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
-    pose: Pose,
+    gap: Gap,
     tips: Vec<Vec3>,
 }
 
@@ -31,11 +33,6 @@ impl Tips {
 }
 
 impl InbetweenClip {
-    /// How many tips the skeleton has: End Sites, and joints that no other joint hangs on.
-    pub fn tip_count(&self) -> usize {
-        self.tips.ids.len()
-    }
-
     /// Where the tips are in `frame`, in the order of the joints. Empty for a motion without frames.
     pub fn tips(&self, frame: usize) -> &[Vec3] {
         let Some(last) = self.frame_count.checked_sub(1) else { return &[] };
@@ -44,7 +41,8 @@ impl InbetweenClip {
     }
 
     /// Where the tips are in `frame` when it is interpolated between the keyframes `start` and `end`, in the order of the
-    /// joints. Takes no new memory when the same `scratch` has served before. Empty for a motion without frames.
+    /// joints: where [`between`](Clip::between) puts them. Takes no new memory when the same `scratch` has served before. Empty
+    /// for a motion without frames.
     pub fn tips_between<'a>(
         &'a self,
         start: usize,
@@ -54,12 +52,11 @@ impl InbetweenClip {
     ) -> &'a [Vec3] {
         match self.way(start, end, frame) {
             Way::Frame(frame) => self.tips(frame),
-            Way::Between { .. } => {
-                let Scratch { pose, tips } = scratch;
-                self.between(start, end, frame, pose);
-                tips.clear();
-                tips.extend(self.tips.ids.iter().map(|id| pose.transforms()[*id].position));
-                tips
+            Way::Between { start, end, frame } => {
+                let posed = scratch.gap.pose(self, start, end, frame);
+                scratch.tips.clear();
+                scratch.tips.extend(self.tips.ids.iter().map(|id| posed.position(*id)));
+                &scratch.tips
             }
         }
     }

@@ -18,8 +18,11 @@ pub struct Errors {
 
 #[derive(Debug, Default)]
 struct Memory {
+    /// By their first and last keyframe.
     gaps: HashMap<(usize, usize), f64>,
     scratch: Scratch,
+    /// The errors of the frames of one gap.
+    frames: Vec<f64>,
     poses: u64,
 }
 
@@ -79,7 +82,12 @@ impl Errors {
         self.memory.borrow().poses
     }
 
-    /// The error of a gap, or `None` as soon as it is known to be more than `limit`.
+    /// Whether a gap has no error at all.
+    pub(crate) fn is_free(&self, start: usize, end: usize) -> bool {
+        self.of_gap_up_to(start, end, 0.0) == Some(0.0)
+    }
+
+    /// The error of a gap, or `None` when it shows before its end that it is more than `limit`.
     pub(crate) fn of_gap_up_to(&self, start: usize, end: usize, limit: f64) -> Option<f64> {
         if end >= self.frame_count() || end < start {
             return Some(f64::NAN);
@@ -91,13 +99,7 @@ impl Errors {
         if let Some(&error) = memory.gaps.get(&(start, end)) {
             return Some(error);
         }
-        let mut error = 0.0;
-        for frame in start + 1..end {
-            error += memory.posed(&self.clip, start, end, frame);
-            if error > limit {
-                return None;
-            }
-        }
+        let error = memory.of_gap_up_to(&self.clip, start, end, limit)?;
         if memory.gaps.len() >= MOST_REMEMBERED {
             memory.gaps.clear();
         }
@@ -107,6 +109,25 @@ impl Errors {
 }
 
 impl Memory {
+    fn of_gap_up_to(&mut self, clip: &InbetweenClip, start: usize, end: usize, limit: f64) -> Option<f64> {
+        self.frames.clear();
+        self.frames.resize(end - start - 1, 0.0);
+        // The frames in the middle are mostly farthest off: they show soonest that a gap is too much.
+        let middle = if limit < f64::INFINITY { start.midpoint(end) } else { start + 1 };
+        let (mut sum, mut posed) = (0.0, 0);
+        for frame in (middle..end).chain(start + 1..middle) {
+            let error = self.posed(clip, start, end, frame);
+            self.frames[frame - start - 1] = error;
+            sum += error;
+            posed += 1;
+            if sum > limit && posed < self.frames.len() {
+                return None;
+            }
+        }
+        // In the order of the frames, so that the result is the same whatever the limit is.
+        Some(self.frames.iter().fold(0.0, |sum, error| sum + error))
+    }
+
     fn posed(&mut self, clip: &InbetweenClip, start: usize, end: usize, frame: usize) -> f64 {
         self.poses += 1;
         let tips = clip.tips_between(start, end, frame, &mut self.scratch);

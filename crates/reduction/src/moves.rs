@@ -13,8 +13,9 @@ const LEAST_GAIN: f64 = 1e-9;
 /// `keyframes` may come in any order. Those that the motion does not have are left out, and the first and the last frame are
 /// added.
 ///
-/// `progress` is told how many keyframes in a row are in their best place, and how many there are to be moved. When it breaks,
-/// the keyframes are left as they are then.
+/// `progress` is told how many keyframes are in their best place, as far as is known, and how many there are to be moved; the
+/// first number falls when a move leaves its neighbours to be looked at again. When it breaks, the keyframes are left as they are
+/// then.
 pub fn local_moves(
     errors: &Errors,
     keyframes: &[usize],
@@ -22,16 +23,25 @@ pub fn local_moves(
 ) -> Vec<usize> {
     let mut keyframes = whole(errors.frame_count(), keyframes);
     let inner = keyframes.len().saturating_sub(2);
+    // With room for the first and the last keyframe, which nothing asks about.
+    let mut is_settled = vec![false; keyframes.len()];
     let mut settled = 0;
-    let mut index = 0;
     while settled < inner {
-        let [before, frame, after] = [0, 1, 2].map(|next| keyframes[index + next]);
-        let best = best_place(errors, before, frame, after);
-        keyframes[index + 1] = best;
-        settled = if best == frame { settled + 1 } else { 1 };
-        index = (index + 1) % inner;
-        if progress(settled, inner).is_break() {
-            break;
+        for index in 1..=inner {
+            if is_settled[index] {
+                continue;
+            }
+            let best = best_place(errors, keyframes[index - 1], keyframes[index], keyframes[index + 1]);
+            if best != keyframes[index] {
+                keyframes[index] = best;
+                is_settled[index - 1] = false;
+                is_settled[index + 1] = false;
+            }
+            is_settled[index] = true;
+            settled = is_settled[1..=inner].iter().filter(|is_settled| **is_settled).count();
+            if progress(settled, inner).is_break() {
+                return keyframes;
+            }
         }
     }
     keyframes
