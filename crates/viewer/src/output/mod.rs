@@ -1,6 +1,6 @@
 //! Pictures, films and contact sheets as files.
 
-mod beside;
+pub(crate) mod beside;
 pub mod edit;
 pub mod film;
 pub mod frames;

@@ -44,23 +44,6 @@ impl Method {
         count: usize,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<Choice, TooLong> {
-        let cap = match self {
-            Method::Optimum => {
-                cap(errors.frame_count(), errors.clip().skeleton().len(), count).ok_or(TooLong)?
-            }
-            _ => None,
-        };
-        self.choose_within(errors, count, cap, progress).ok_or(TooLong)
-    }
-
-    /// The same, where the optimum has gaps of at most `cap` frames, if that is given. `None` when there is no such optimum.
-    pub(super) fn choose_within(
-        self,
-        errors: &Errors,
-        count: usize,
-        cap: Option<usize>,
-        progress: &mut dyn FnMut(usize, usize),
-    ) -> Option<Choice> {
         let mut go_on = |done, all| {
             progress(done, all);
             ControlFlow::Continue(())
@@ -71,10 +54,10 @@ impl Method {
                 let greedy = remaining(errors.frame_count(), &curve(errors, count, &mut go_on).removed);
                 local_moves(errors, &greedy, &mut go_on)
             }
-            Method::Optimum => optimum(errors, count, cap, &mut go_on)?.keyframes,
+            Method::Optimum => return best(errors, Size::of(errors, count), progress).ok_or(TooLong),
             Method::Even => even(errors.frame_count(), count),
         };
-        Some(Choice { keyframes, cap })
+        Ok(Choice { keyframes, cap: None })
     }
 }
 
@@ -112,30 +95,86 @@ fn even(frame_count: usize, count: usize) -> Vec<usize> {
     (0..count).map(place).collect()
 }
 
-/// The longest gap that the search for the optimum may look at; `Some(None)` when it may look at all. `None` when even the
-/// shortest gaps with which so few keyframes reach from end to end are too many.
+/// The optimum, of all keyframes if that is to be had, or else with gaps of a limited length. `None` when neither is.
+fn best(errors: &Errors, size: Size, progress: &mut dyn FnMut(usize, usize)) -> Option<Choice> {
+    let Size { count, .. } = size;
+    let begun = errors.poses();
+    let mut within = |done, all| {
+        progress(done, all);
+        if (errors.poses() - begun) as f64 <= size.poses() {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    };
+    let exact = if size.may_be_exact() { optimum(errors, count, None, &mut within) } else { None };
+    let found = exact.or_else(|| {
+        let cap = size.cap()?;
+        optimum(errors, count, Some(cap), &mut |done, all| {
+            progress(done, all);
+            ControlFlow::Continue(())
+        })
+    })?;
+    Some(Choice { keyframes: found.keyframes, cap: found.cap })
+}
+
+/// What says how long the search for the optimum takes.
 ///
-/// For every gap all frames in it are posed: of n frames about n · cap² / 2, and n³ / 6 for all gaps.
-fn cap(frame_count: usize, joints: usize, count: usize) -> Option<Option<usize>> {
-    /// So many joints can be posed in half a minute or so.
-    const JOINTS: f64 = 6e8;
-    /// So many ways from the first frame are remembered, some bytes each.
-    const WAYS: f64 = 1e7;
-    let count = count.max(2).min(frame_count);
-    let (frames, poses) = (frame_count as f64, JOINTS / joints.max(1) as f64);
-    if frames * count as f64 > WAYS {
-        return None;
+/// For every gap all frames in it are posed, as long as the gap is not too bad to be of use: of n frames at most n³ / 6, or
+/// n · cap² / 2 where gaps are no longer than a cap.
+#[derive(Clone, Copy, Debug)]
+struct Size {
+    frames: usize,
+    joints: usize,
+    count: usize,
+}
+
+impl Size {
+    /// So many joints can be posed in a minute or so.
+    const JOINTS: f64 = 3e9;
+    /// Of all gaps so many joints would have to be posed, if it were not for those that are of no use: mostly a few times more
+    /// than are.
+    const ALL_JOINTS: f64 = 2e10;
+    /// So many ways from the first frame are remembered, some bytes each, and so many are gone.
+    const WAYS: (f64, f64) = (1e7, 5e9);
+
+    fn of(errors: &Errors, count: usize) -> Size {
+        let frames = errors.frame_count();
+        let joints = errors.clip().skeleton().len().max(1);
+        Size { frames, joints, count: count.max(2).min(frames) }
     }
-    if frames.powi(3) / 6.0 <= poses {
-        return Some(None);
+
+    /// How many poses the search may take.
+    fn poses(self) -> f64 {
+        Size::JOINTS / self.joints as f64
     }
-    let cap = (2.0 * poses / frames).sqrt() as usize;
-    let shortest = (frame_count - 1).div_ceil(count - 1);
-    (cap >= shortest).then_some(Some(cap))
+
+    /// How many ways the search remembers.
+    fn ways(self) -> f64 {
+        self.frames as f64 * self.count as f64
+    }
+
+    fn may_be_exact(self) -> bool {
+        let frames = self.frames as f64;
+        let all = frames.powi(3) / 6.0 * self.joints as f64;
+        all <= Size::ALL_JOINTS && self.ways() <= Size::WAYS.0 && self.ways() * frames <= Size::WAYS.1
+    }
+
+    /// The longest gap that the search may look at; `None` when even the shortest gaps with which so few keyframes reach from end
+    /// to end are too many.
+    fn cap(self) -> Option<usize> {
+        let by_poses = (2.0 * self.poses() / self.frames as f64).sqrt();
+        let cap = by_poses.min(Size::WAYS.1 / self.ways()) as usize;
+        let shortest = self.frames.saturating_sub(1).div_ceil(self.count.saturating_sub(1).max(1));
+        (cap >= shortest && self.ways() <= Size::WAYS.0).then_some(cap)
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
+    use skeleton::{Axis, Channel, Frame, Motion, Representation, Skeleton};
+
     use super::*;
 
     #[test]
@@ -156,12 +195,58 @@ mod tests {
 
     #[test]
     fn the_optimum_is_exact_for_short_motions_capped_for_longer_ones_and_refused_for_the_longest() {
-        assert_eq!(cap(0, 0, 20), Some(None));
-        assert_eq!(cap(141, 35, 20), Some(None));
-        let long = cap(1377, 35, 20).flatten().expect("it is capped");
-        assert!((100..300).contains(&long), "{long}");
-        assert_eq!(cap(100_000, 35, 20), None);
-        // Many keyframes are close together, and the memory would not do.
-        assert_eq!(cap(100_000, 35, 50_000), None);
+        let size = |frames, count| Size { frames, joints: 35, count };
+        for exact in [size(0, 0), size(1, 1), size(141, 20), size(1377, 20), size(1377, 1377)] {
+            assert!(exact.may_be_exact(), "{exact:?}");
+        }
+        for capped in [size(2000, 20), size(5000, 400)] {
+            assert!(!capped.may_be_exact(), "{capped:?}");
+            let cap = capped.cap().expect("it is capped");
+            assert!((100..500).contains(&cap), "{capped:?}: {cap}");
+        }
+        // Two are too far apart; or too many are remembered.
+        for refused in [size(100_000, 20), size(100_000, 50_000), size(4000, 4000)] {
+            assert!(!refused.may_be_exact() && refused.cap().is_none(), "{refused:?}");
+        }
+    }
+
+    /// A joint that goes to and fro.
+    fn errors(frames: usize) -> Errors {
+        let mut skeleton = Skeleton::new();
+        let channels = [Channel::Position(Axis::X)];
+        skeleton.add_joint(None, "r", Vec3::ZERO, channels).unwrap();
+        let values = (0..frames).map(|i| (i % 7) as f32 + (i % 11) as f32).collect();
+        let motion = Motion::new(skeleton, frames, 0.1, values).unwrap();
+        let frames: Vec<Frame> = (0..frames).map(|index| motion.frame(index)).collect();
+        Errors::new(motion.skeleton(), &frames, Representation::Quaternion)
+    }
+
+    #[test]
+    fn better_methods_leave_smaller_errors() {
+        let errors = errors(60);
+        let of = |method: Method| {
+            let choice = method.choose(&errors, 12, &mut |_, _| ()).unwrap();
+            assert_eq!((choice.keyframes.len(), choice.cap), (12, None));
+            errors.of_keyframes(&choice.keyframes)
+        };
+        let [optimum, moved, greedy] = [Method::Optimum, Method::Moves, Method::Greedy].map(of);
+        assert!(optimum <= moved && moved < greedy, "{optimum} {moved} {greedy}");
+    }
+
+    #[test]
+    fn a_capped_optimum_says_so_and_one_that_takes_longer_than_expected_is_broken_off() {
+        let errors = errors(60);
+        // As if posing took long.
+        let capped = Size { joints: 1_000_000, ..Size::of(&errors, 12) };
+        let choice = best(&errors, capped, &mut |_, _| ()).unwrap();
+        assert_eq!(choice.cap, Some(10));
+        assert!(choice.keyframes.windows(2).all(|gap| gap[1] - gap[0] <= 10), "{choice:?}");
+
+        let errors = self::errors(60);
+        let broken_off = Size { joints: 550_000, ..Size::of(&errors, 3) };
+        assert!(broken_off.may_be_exact() && broken_off.cap().is_none());
+        assert_eq!(best(&errors, broken_off, &mut |_, _| ()), None);
+        let poses = errors.poses() as f64;
+        assert!((0.9..1.5).contains(&(poses / broken_off.poses())), "{poses}");
     }
 }

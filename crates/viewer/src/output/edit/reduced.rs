@@ -8,6 +8,7 @@ use skeleton::{Axis, Channel, Joint, JointId, Motion, Representation};
 use solutions::interpolation::interpolate_angles;
 
 use super::angles::{angles_of, distance};
+use super::reordered::turns;
 
 /// A rotation that is off by less than so many degrees is what an `f32` makes of the right one.
 const LEAST_MISFIT: f64 = 0.01;
@@ -155,14 +156,6 @@ impl Table<'_> {
     fn value_mut(&mut self, frame: usize, column: usize) -> &mut f32 {
         &mut self.values[frame * self.channels + column]
     }
-}
-
-/// The rotation channels of a joint: their places among its channels, and their axes.
-fn turns(joint: &Joint) -> impl Iterator<Item = (usize, Axis)> + '_ {
-    joint.channels.iter().enumerate().filter_map(|(at, channel)| match channel {
-        Channel::Rotation(axis) => Some((at, *axis)),
-        Channel::Position(_) => None,
-    })
 }
 
 #[cfg(test)]
