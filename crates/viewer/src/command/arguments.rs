@@ -6,6 +6,7 @@ use std::str::FromStr;
 use clap::{Parser, ValueEnum};
 use skeleton::PositionChannels;
 
+use super::keyframes::KeyframeArguments;
 use crate::draw::canvas::MAX_SIDE;
 use crate::live::package::Package;
 use crate::motion::source::{Loaded, Source};
@@ -108,6 +109,10 @@ pub struct Arguments {
     /// The axis that points up in the file [default: told by the figure]
     #[arg(long, value_enum)]
     up: Option<Up>,
+
+    /// What is said about keyframes. Last, because options behind it would stand under its heading.
+    #[command(flatten)]
+    pub keyframes: KeyframeArguments,
 }
 
 /// Something that can be in the picture or not.
