@@ -123,7 +123,7 @@ pub(super) fn interpolate(
             return Err(NotEdited::BrokenOff);
         }
     }
-    let places = (scale.tips.len() * interpolated).max(1);
+    let places = (scale.tips.len() * (last - first + 1)).max(1);
     let makers = match wish.keys {
         Keys::Automatic(_) => hand.makers(),
         // Nobody's functions have chosen these.
