@@ -70,6 +70,22 @@ fn a_scaled_line_is_recognised_although_it_does_not_take_the_shorter_way() {
 }
 
 #[test]
+fn another_mistake_with_equal_rotations_is_not_called_a_division_by_zero() {
+    let with = |slerp| InterpolationFunctions { slerp, ..INTERPOLATION };
+    let divides = with(|from, to, t| {
+        let is_same = from.dot(to).abs() >= 1.0;
+        (INTERPOLATION.slerp)(from, to, t) * if is_same { f32::NAN } else { 1.0 }
+    });
+    assert_eq!(names(&report(divides, 1)), ["division_by_zero"]);
+    let adds = with(|from, to, t| {
+        let is_same = from.dot(to).abs() >= 1.0;
+        (INTERPOLATION.slerp)(from, to, t) * if is_same { 2.0 } else { 1.0 }
+    });
+    let report = report(adds, 1);
+    assert_eq!((lost(&report), names(&report)), (vec!["close"], vec![]));
+}
+
+#[test]
 fn rotations_and_positions_of_a_frame_are_named_independently() {
     let functions = InterpolationFunctions {
         interpolate_frame: |skeleton, from, to, t, _| {

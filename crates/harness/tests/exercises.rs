@@ -12,8 +12,7 @@ use support::Harness;
 
 #[test]
 fn a_solution_gets_all_points_and_a_template_none() {
-    // Nobody has written the questions of the last one yet.
-    for exercise in EXERCISES.iter().filter(|exercise| exercise.name != "keyframes") {
+    for exercise in &EXERCISES {
         let folder = tempfile::tempdir().unwrap();
         let given = folder.path().join("given");
         fs::create_dir(&given).unwrap();

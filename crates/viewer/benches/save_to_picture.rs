@@ -17,6 +17,7 @@ use support::{Course, cargo};
 use viewer::draw::Painter;
 use viewer::draw::canvas::Canvas;
 use viewer::live::Live;
+use viewer::live::package::Package;
 use viewer::live::student::Status;
 use viewer::live::worker;
 use viewer::motion::stage::Stage;
@@ -116,7 +117,10 @@ fn picture(course: &Course, stage: &Arc<Stage>, number: usize) -> Duration {
 /// Watches the copy, and builds it where cargo does so by itself.
 fn open(course: &Course, stage: &Arc<Stage>) -> Live {
     let folder = course.folder.clone();
-    let build = move |version: &_| worker::compile_into(&folder.join("target"), &folder, version);
+    let build = move |version: &_| {
+        let target = folder.join("target");
+        worker::compile_into(&target, Package::Fk, &folder, version).map(|program| program.worker())
+    };
     Live::open_with(&course.folder, vec![Arc::clone(stage)], Vec::new(), build)
 }
 

@@ -14,6 +14,7 @@ use std::time::{Duration, Instant, SystemTime};
 use skeleton::PositionChannels;
 use support::Course;
 use viewer::live::Live;
+use viewer::live::package::Package;
 use viewer::live::student::{Standing, Status};
 use viewer::live::worker::{self, Trouble};
 use viewer::motion::stage::Stage;
@@ -69,7 +70,10 @@ impl Desk {
 /// Watches the copy, and builds it where cargo does so by itself.
 fn open(course: &Course, stage: &Arc<Stage>) -> Live {
     let folder = course.folder.clone();
-    let build = move |version: &_| worker::compile_into(&folder.join("target"), &folder, version);
+    let build = move |version: &_| {
+        let target = folder.join("target");
+        worker::compile_into(&target, Package::Fk, &folder, version).map(|program| program.worker())
+    };
     Live::open_with(&course.folder, vec![Arc::clone(stage)], vec![motion_file(course)], build)
 }
 

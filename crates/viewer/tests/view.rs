@@ -12,7 +12,9 @@ use command::view;
 use skeleton::PositionChannels;
 use viewer::camera::Spot;
 use viewer::draw::color_of;
-use viewer::live::student::{self, Status, Version};
+use viewer::live::package::Package;
+use viewer::live::student::{self, Status};
+use viewer::live::version::Version;
 use viewer::live::worker::{self, Trouble};
 use viewer::motion::stage::Stage;
 use viewer::scene::Tint;
@@ -125,8 +127,8 @@ mod png_file {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let motion = parser::bvh::read_file(workspace.join("data/running.bvh")).unwrap().motion;
         let stage = Arc::new(Stage::new(motion, PositionChannels::Replace));
-        let answer = worker::compile(&workspace, &Version::default()).and_then(|mut worker| {
-            student::ask(&mut worker, &stage, FRAME..FRAME + 1).map_err(Trouble::from)
+        let answer = worker::compile(Package::Fk, &workspace, &Version::default()).and_then(|program| {
+            student::ask(&mut program.worker(), &stage, FRAME..FRAME + 1).map_err(Trouble::from)
         });
         let purple = color_of(Tint::Joint).channels();
         let posed = match &answer {

@@ -57,14 +57,17 @@ pub(super) fn rotation(_: &Case, expected: &Answer, got: &Answer) -> Option<Diff
     }
 }
 
-/// Part 2's answer, where a wrong one can be anything: of two wrong answers it is enough that both are.
-pub(super) fn whether_right(case: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
-    let off = rotation(case, &case.expected, got);
+/// Part 2's answer, where a wrong one can be any number: two wrong ones are the same when both are numbers, or neither.
+pub(super) fn in_kind(case: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
     if *expected == case.expected {
-        return off;
+        return rotation(case, expected, got);
     }
-    let is_expected = rotation(case, &case.expected, expected).is_none() == off.is_none();
-    if is_expected { None } else { rotation(case, expected, got).or_else(not_comparable) }
+    let kind = |answer: &Answer| (rotation(case, &case.expected, answer).is_none(), is_finite(answer));
+    if kind(expected) == kind(got) { None } else { rotation(case, expected, got).or_else(not_comparable) }
+}
+
+fn is_finite(answer: &Answer) -> bool {
+    matches!(answer, Answer::Interpolation(InterpolationAnswer::Slerp(q)) if q.is_finite())
 }
 
 /// Part 2's answer, where rounding decides whether a wrong function gives a wrong one.

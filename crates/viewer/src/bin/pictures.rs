@@ -1,8 +1,9 @@
-//! Makes the book's pictures again: `cargo pictures`.
+//! Makes the book's pictures again, and the tables of its experiment: `cargo pictures`.
 
 use std::path::Path;
 use std::process::ExitCode;
 
+use viewer::output::edit::experiment::Experiment;
 use viewer::output::picture;
 use viewer::output::pictures::{PICTURES, Studio};
 
@@ -31,5 +32,8 @@ fn make() -> Result<(), String> {
             .map_err(|error| format!("{name}: {error}"))?;
         println!("docs/pictures/{name}");
     }
+    // The optimum of a long motion takes a minute or two.
+    let written = Experiment::new(&workspace.join("data"))?.write(&workspace.join("docs"))?;
+    written.iter().for_each(|name| println!("{name}"));
     Ok(())
 }

@@ -6,12 +6,14 @@ use std::str::FromStr;
 use clap::{Parser, ValueEnum};
 use skeleton::PositionChannels;
 
+use super::keyframes::KeyframeArguments;
 use crate::draw::canvas::MAX_SIDE;
+use crate::live::package::Package;
 use crate::motion::source::{Loaded, Source};
 use crate::motion::upright::Up;
 use crate::output::frames::{self, FrameRange};
 use crate::scene::Style;
-use crate::view::app::Settings;
+use crate::view::app::{EditSettings, Settings};
 use crate::view::gallery::Gallery;
 use crate::window::keys;
 
@@ -21,11 +23,16 @@ use crate::window::keys;
 #[derive(Clone, Debug, Parser)]
 #[command(name = "cargo view", bin_name = "cargo view", after_help = keys_for_terminal())]
 pub struct Arguments {
-    /// The motion, a .bvh file; several are shown side by side [default: data/running.bvh]
+    /// The motion, a .bvh file; several are shown side by side [default: data/running.bvh, or data/dance.bvh for the
+    /// exercise on interpolation]
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
 
-    /// Shows the reference solution's figure instead of yours
+    /// The exercise whose functions are yours; the reference does the rest
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    pub exercise: Package,
+
+    /// Shows what the reference solution does instead of yours, in every exercise
     #[arg(long)]
     pub solution: bool,
 
@@ -102,6 +109,10 @@ pub struct Arguments {
     /// The axis that points up in the file [default: told by the figure]
     #[arg(long, value_enum)]
     up: Option<Up>,
+
+    /// What is said about keyframes. Last, because options behind it would stand under its heading.
+    #[command(flatten)]
+    pub keyframes: KeyframeArguments,
 }
 
 /// Something that can be in the picture or not.
@@ -146,7 +157,9 @@ pub enum Output {
 impl Arguments {
     /// The motions to show.
     pub fn sources(&self, workspace: &Path) -> Vec<Source> {
-        let default = || vec![workspace.join("data").join("running.bvh")];
+        // A short motion with full turns shows most of what can be wrong between two frames.
+        let name = if self.exercise == Package::Interpolation { "dance.bvh" } else { "running.bvh" };
+        let default = || vec![workspace.join("data").join(name)];
         let files = if self.files.is_empty() { default() } else { self.files.clone() };
         let source = |path| Source { path, positions: self.positions.into(), up: self.up };
         files.into_iter().map(source).collect()
@@ -225,6 +238,7 @@ impl Arguments {
                 } = shown;
             }
         }
+        settings.edit = EditSettings::for_exercise(self.exercise);
         settings.style = if self.lines { Style::Lines } else { Style::Lit };
         settings.text_scale = self.scale;
         // Captions say what there is to say on a sheet.
@@ -344,6 +358,21 @@ mod tests {
         assert_eq!("-5,0,1.5".parse(), Ok(Side { around: -5.0, above: 0.0, zoom: 1.5 }));
         for wrong in ["", "90", "90,", "a,b", "1,2,3,4", "1,2,0", "1,NaN", "inf,1"] {
             assert!(wrong.parse::<Side>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn an_exercise_is_chosen_by_its_name_and_a_wrong_name_is_told_with_those_that_there_are() {
+        let parse = |words: &[&str]| Arguments::try_parse_from(["cargo view"].iter().chain(words));
+        let first = |words: &[&str]| parse(words).unwrap().sources(Path::new("")).remove(0).path;
+        assert_eq!(parse(&[]).unwrap().exercise, Package::Fk);
+        assert_eq!(parse(&["--exercise", "keyframes", "--solution"]).unwrap().exercise, Package::Keyframes);
+        assert!(first(&["--exercise", "interpolation"]).ends_with("dance.bvh"));
+        assert!(first(&["--exercise", "keyframes"]).ends_with("running.bvh"));
+        assert!(first(&["--exercise", "interpolation", "a.bvh"]).ends_with("a.bvh"));
+        let error = parse(&["--exercise", "interpolate"]).unwrap_err().to_string();
+        for name in ["'interpolate'", "fk", "interpolation", "keyframes"] {
+            assert!(error.contains(name), "{error}");
         }
     }
 

@@ -8,11 +8,13 @@ use exam::WorkerProcess;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::{Arguments, Output};
-use super::{say, text, workspace};
+use super::{edited, say, text, workspace};
 use crate::draw::Painter;
 use crate::draw::canvas::Canvas;
 use crate::live::board::Board;
-use crate::live::student::{Status, Version};
+use crate::live::package::Package;
+use crate::live::student::Status;
+use crate::live::version::Version;
 use crate::live::worker;
 use crate::motion::source::Source;
 use crate::output::film::{self, Format, Frames};
@@ -75,8 +77,13 @@ impl Studio {
             frames,
             seconds,
         };
-        if !arguments.solution {
-            studio.ask();
+        match arguments.exercise {
+            _ if arguments.solution => edited::by_reference(&mut studio.gallery),
+            Package::Fk => {
+                edited::by_reference(&mut studio.gallery);
+                studio.ask();
+            }
+            package => edited::by_student(package, &workspace(), &mut studio.gallery),
         }
         Ok(studio)
     }
@@ -84,7 +91,8 @@ impl Studio {
     /// Asks the student's functions for all that will be seen of them.
     fn ask(&mut self) {
         let version = Version::default();
-        let mut worker = worker::compile(&workspace(), &version);
+        let built = worker::compile(Package::Fk, &workspace(), &version);
+        let mut worker = built.map(|program| program.worker());
         for motion in 0..self.gallery.apps().len() {
             let recorded = match &mut worker {
                 Err(trouble) => Recorded::new(Status::Failed(trouble.clone().into())),
@@ -97,7 +105,7 @@ impl Studio {
         if let Ok(worker) = &mut worker {
             // What is printed while other questions are answered is about nothing that the picture shows.
             version.hush(true);
-            let board = Arc::new(Board::of(worker));
+            let board = Arc::new(Board::of(worker, Package::Fk));
             self.answers.iter_mut().for_each(|recorded| recorded.standing.board = Some(board.clone()));
         }
     }

@@ -1,7 +1,9 @@
 //! The command `cargo view`.
 
 mod arguments;
+mod edited;
 mod headless;
+mod keyframes;
 mod print;
 mod targets;
 
@@ -18,6 +20,7 @@ use crate::view::session::Session;
 use crate::window;
 
 pub use arguments::Arguments;
+use arguments::Output;
 
 /// Does what the command line asks for, and gives the exit code: 0 when it was done, 1 when not, 2 for a command
 /// line that cannot be understood.
@@ -34,8 +37,9 @@ pub fn run() -> ExitCode {
 
 fn view(arguments: &Arguments) -> Result<(), String> {
     let sources = arguments.sources(&workspace());
-    if let Some(output) = arguments.output() {
-        targets::check(&output, &sources)?;
+    let pictures = arguments.output();
+    for target in pictures.iter().map(Output::target).chain(arguments.keyframes.targets()) {
+        targets::check(target, &sources)?;
     }
     if arguments.print {
         return sources.iter().try_for_each(|source| {
@@ -43,8 +47,11 @@ fn view(arguments: &Arguments) -> Result<(), String> {
             Ok(())
         });
     }
-    if let Some(output) = arguments.output() {
+    if let Some(output) = pictures {
         return headless::write(arguments, &output, &sources);
+    }
+    if !arguments.keyframes.targets().is_empty() {
+        return keyframes::write(&arguments.keyframes, &sources);
     }
 
     let mut apps = Vec::new();
@@ -53,8 +60,9 @@ fn view(arguments: &Arguments) -> Result<(), String> {
     }
     let mut gallery = Gallery::new(apps);
     arguments.prepare(&mut gallery)?;
-    let workspace = (!arguments.solution).then(workspace);
-    let session = || Session::open(gallery, sources, workspace.as_deref());
+    let workspace = workspace();
+    let followed = (!arguments.solution).then_some((arguments.exercise, workspace.as_path()));
+    let session = || Session::open(gallery, sources, followed);
     window::open(session, arguments.size()).map_err(text)
 }
 

@@ -184,7 +184,7 @@ fn length(value: f64, extent: f64) -> String {
 }
 
 /// `value` with `decimals` digits behind the point, more where a small number needs them to be told from another.
-fn number(value: f64, decimals: usize) -> String {
+pub fn number(value: f64, decimals: usize) -> String {
     if !is_plain(value) {
         return scientific(value);
     }
@@ -216,7 +216,7 @@ fn scientific(value: f64) -> String {
     }
 }
 
-fn count(number: usize, one: &str, many: &str) -> String {
+pub fn count(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 

@@ -1,9 +1,26 @@
-//! Sees to it that no motion is lost because its name stands where that of a picture belongs.
+//! Sees to it that no motion is lost because its name stands where that of a picture belongs, or of another motion.
 
 use std::path::Path;
 
+use parser::printable;
+
 use super::arguments::Output;
 use crate::motion::source::Source;
+
+/// A file to write.
+#[derive(Clone, Copy, Debug)]
+pub struct Target<'a> {
+    /// Where.
+    pub path: &'a Path,
+    /// The option that names it.
+    pub option: &'static str,
+    /// What it is.
+    pub what: &'static str,
+    /// The endings that its name may have, the usual one first.
+    pub endings: &'static [&'static str],
+    /// Whether it may take the place of what is there: of a picture, which can be made again, but not of any motion.
+    pub may_replace: bool,
+}
 
 impl Output {
     /// The file to write.
@@ -13,25 +30,31 @@ impl Output {
         }
     }
 
-    /// The option that names it, what it is, and the endings that its name may have.
-    fn kind(&self) -> (&'static str, &'static str, &'static [&'static str]) {
-        match self {
+    /// What is known of it before it is written.
+    pub fn target(&self) -> Target<'_> {
+        let (option, what, endings): (_, _, &[&str]) = match self {
             Output::Png(_) => ("--png", "picture", &["png"]),
             Output::Gif(_) => ("--gif", "film", &["gif"]),
             Output::Apng(_) => ("--apng", "film", &["png", "apng"]),
             Output::Sheet(_) => ("--sheet", "picture", &["png"]),
-        }
+        };
+        Target { path: self.path(), option, what, endings, may_replace: true }
     }
 }
 
+/// A path for people and terminals.
+pub fn shown(path: &Path) -> String {
+    printable(&path.display().to_string())
+}
+
 /// Looks at the name of what is to be written.
-pub fn check(output: &Output, sources: &[Source]) -> Result<(), String> {
-    let (path, (option, what, endings)) = (output.path(), output.kind());
+pub fn check(target: Target, sources: &[Source]) -> Result<(), String> {
+    let Target { path, option, what, endings, may_replace } = target;
     let ends_in = |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
     let ending = endings[0];
-    if ends_in("bvh") {
-        let name = path.file_name().unwrap_or_default().display();
-        let path = path.display().to_string();
+    if ends_in("bvh") && ending != "bvh" {
+        let name = printable(&path.file_name().unwrap_or_default().display().to_string());
+        let path = shown(path);
         let quote = if path.contains(' ') { "\"" } else { "" };
         return Err(format!(
             "{option} names the {what} to write; to show {name}: cargo view {quote}{path}{quote} {option} {what}.{ending}"
@@ -41,7 +64,7 @@ pub fn check(output: &Output, sources: &[Source]) -> Result<(), String> {
         return Err(format!(
             "{option} names the {what} to write, and that name ends in .{}: {} does not",
             endings.join(" or ."),
-            path.display()
+            shown(path)
         ));
     }
     for source in sources {
@@ -49,8 +72,14 @@ pub fn check(output: &Output, sources: &[Source]) -> Result<(), String> {
         if let (Ok(target), Ok(motion)) = (path.canonicalize(), source.path.canonicalize())
             && target == motion
         {
-            return Err(format!("{} is the motion: the {what} needs a name of its own", path.display()));
+            return Err(format!("{} is the motion: the {what} needs a name of its own", shown(path)));
         }
+    }
+    if !may_replace && path.exists() {
+        return Err(format!(
+            "{} is there already: choose another name, or add --overwrite to put the {what} in its place",
+            shown(path)
+        ));
     }
     Ok(())
 }

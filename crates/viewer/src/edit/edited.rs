@@ -21,8 +21,8 @@ pub struct Edited {
     pub interpolated: usize,
     /// The accumulated error: the sum of the errors of all interpolated frames, in the file's unit, squared.
     pub error: f64,
-    /// The root of the mean squared distance of a tip in an interpolated frame from where it is in the original, in the file's
-    /// unit. 0 where nothing is interpolated.
+    /// The root of the mean squared distance of a tip from where it is in the original, in the file's unit: over all frames
+    /// from the first keyframe to the last, so that results with different numbers of keyframes can be compared.
     pub distance: f64,
     /// How the error grows in both representations, where that was wanted and is known.
     pub curves: Option<Curves>,

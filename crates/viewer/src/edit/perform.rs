@@ -7,7 +7,7 @@ use inbetween::pose_of;
 use skeleton::{Frame, LocalPose, Pose};
 
 use super::edited::{Edited, Frames};
-use super::hand::{Hand, Progress};
+use super::hand::{Hand, Maker, Makers, Progress};
 use super::wish::{Keys, Wish};
 use crate::motion::stage::{Stage, tips};
 
@@ -123,10 +123,15 @@ pub(super) fn interpolate(
             return Err(NotEdited::BrokenOff);
         }
     }
-    let places = (scale.tips.len() * interpolated).max(1);
+    let places = (scale.tips.len() * (last - first + 1)).max(1);
+    let makers = match wish.keys {
+        Keys::Automatic(_) => hand.makers(),
+        // Nobody's functions have chosen these.
+        Keys::Ends(..) => Makers { keyframes: Maker::default(), ..hand.makers() },
+    };
     Ok(Edited {
         wish: wish.clone(),
-        makers: hand.makers(),
+        makers,
         keyframes,
         interpolated,
         error,

@@ -1,11 +1,13 @@
-//! The points of one saved state, in the words of `cargo test -p fk`.
+//! The points of one saved state, in the words of `cargo test`.
 
 use std::sync::OnceLock;
 use std::time::Duration;
 
 use exam::Subject;
 use grading::scoreboard::{Row, Scoreboard};
-use grading::{Exam, Graded, PUBLIC_SEED, Solutions};
+use grading::{EXERCISES, Exam, Graded, PUBLIC_SEED, Solutions};
+
+use crate::live::package::Package;
 
 /// The points, for the window and for the terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,7 +20,7 @@ pub struct Board {
     pub points: u32,
     /// The points that could be made.
     pub of: u32,
-    /// All that `cargo test -p fk` says, with escape sequences for colours.
+    /// All that `cargo test` says, with escape sequences for colours.
     pub text: String,
     /// Its end: the rows and the sum.
     pub summary: String,
@@ -36,10 +38,11 @@ fn seen(text: &str, scoreboard: &Scoreboard) -> String {
 const LIMIT: Duration = Duration::from_secs(2);
 
 impl Board {
-    /// Puts the questions that students see to `subject`. Takes as long as it needs, or as the limits for checks allow.
-    pub fn of(subject: &mut impl Subject) -> Board {
-        static EXAM: OnceLock<Exam> = OnceLock::new();
-        let exam = EXAM.get_or_init(|| grading::fk::exam(PUBLIC_SEED, &Solutions));
+    /// Puts the questions of the exercise that students see to `subject`. Takes as long as it needs, or as the limits for
+    /// checks allow.
+    pub fn of(subject: &mut dyn Subject, package: Package) -> Board {
+        static EXAMS: [OnceLock<Exam>; EXERCISES.len()] = [const { OnceLock::new() }; EXERCISES.len()];
+        let exam = EXAMS[package as usize].get_or_init(|| (package.exercise().exam)(PUBLIC_SEED, &Solutions));
         Board::new(&Graded::ask(subject, exam, LIMIT).scoreboard(exam))
     }
 

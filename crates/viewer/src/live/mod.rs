@@ -1,13 +1,21 @@
 //! The student's functions in step with the file: every save is built, asked and graded.
+//!
+//! Those of forward kinematics move the figure: [`Live`]. Those of the two exercises on editing a motion make what is
+//! edited: [`sister`].
 
 pub mod board;
 mod diagnostic;
+pub mod package;
+pub mod rebuilder;
+pub mod sister;
+
 pub mod student;
+pub mod version;
 pub mod watch;
 pub mod worker;
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use exam::WorkerProcess;
 use exam::fk::{LocalAnswer, PosedFrame};
@@ -15,7 +23,10 @@ use exam::fk::{LocalAnswer, PosedFrame};
 use crate::motion::stage::Stage;
 use crate::view::answers::Answers;
 use board::Board;
-use student::{News, Standing, Student, Version};
+use package::Package;
+use rebuilder::Rebuilder;
+use student::{News, Standing, Student};
+use version::Version;
 use watch::{Baseline, Change, Watcher};
 use worker::Trouble;
 
@@ -33,7 +44,9 @@ impl Live {
     /// Points, troubles and what the student's functions print go to the terminal.
     pub fn open(workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<PathBuf>) -> Live {
         let folder = workspace.to_owned();
-        Live::open_with(workspace, stages, motions, move |version| worker::compile(&folder, version))
+        let build =
+            move |version: &_| worker::compile(Package::Fk, &folder, version).map(|program| program.worker());
+        Live::open_with(workspace, stages, motions, build)
     }
 
     /// The same, with another way to build the exercise.
@@ -41,29 +54,14 @@ impl Live {
         workspace: &Path,
         stages: Vec<Arc<Stage>>,
         motions: Vec<PathBuf>,
-        mut build: impl FnMut(&Version) -> Result<WorkerProcess, Trouble> + Send + 'static,
+        build: impl FnMut(&Version) -> Result<WorkerProcess, Trouble> + Send + 'static,
     ) -> Live {
         // What is saved from here on is noticed; what was saved before is what is built.
-        let baseline = Baseline::now(&workspace.join("exercises").join("fk").join("src"), &motions);
-        let (folder, mut saved) = (workspace.to_owned(), false);
-        let build = move |version: &Version| {
-            if std::mem::replace(&mut saved, true) {
-                worker::make_stale(&folder);
-            }
-            build(version)
-        };
+        let baseline = Baseline::now(&Package::Fk.sources(workspace), &motions);
+        let build = building_anew(Package::Fk, workspace, build);
         let mut terminal = Terminal::default();
         let student = Student::start(stages, build, move |news| terminal.tell(news));
-        let rebuilder = student.rebuilder();
-        let at_once = move |change: &Change| {
-            if *change == Change::Exercise {
-                rebuilder.rebuild();
-            }
-        };
-        let watcher = Watcher::start(baseline, at_once);
-        if let Some(note) = watcher.note() {
-            eprintln!("{note}");
-        }
+        let watcher = watch(baseline, student.rebuilder());
         Live { student, watcher, motions }
     }
 
@@ -95,6 +93,35 @@ impl Live {
     pub fn student_mut(&mut self) -> &mut Student {
         &mut self.student
     }
+}
+
+/// The same way to build, which builds every save after the first time, whatever the time of the file is.
+fn building_anew<T>(
+    package: Package,
+    workspace: &Path,
+    mut build: impl FnMut(&Version) -> Result<T, Trouble> + Send + 'static,
+) -> impl FnMut(&Version) -> Result<T, Trouble> + Send + 'static {
+    let (folder, mut saved) = (workspace.to_owned(), false);
+    move |version: &Version| {
+        if std::mem::replace(&mut saved, true) {
+            worker::make_stale(package, &folder);
+        }
+        build(version)
+    }
+}
+
+/// Has the exercise built again whenever it is saved, from `baseline` on.
+fn watch(baseline: Baseline, rebuilder: Rebuilder) -> Watcher {
+    let at_once = move |change: &Change| {
+        if *change == Change::Exercise {
+            rebuilder.rebuild();
+        }
+    };
+    let watcher = Watcher::start(baseline, at_once);
+    if let Some(note) = watcher.note() {
+        eprintln!("{note}");
+    }
+    watcher
 }
 
 /// What is known of the student's functions on one motion.
@@ -142,4 +169,8 @@ impl Terminal {
             }
         }
     }
+}
+
+fn lock<T: ?Sized>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

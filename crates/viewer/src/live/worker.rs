@@ -11,7 +11,8 @@ use exam::WorkerProcess;
 use serde_json::Value;
 
 use crate::live::diagnostic::{self, Found};
-use crate::live::student::Version;
+use crate::live::package::Package;
+use crate::live::version::Version;
 
 /// Why the student's functions cannot be shown, in words for the student.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,10 +22,6 @@ pub struct Trouble {
     /// More about it, line by line.
     pub details: Vec<String>,
 }
-
-/// What to do where the compiler points into a file that is not the student's.
-const FIXED: &str = "Your file no longer fits the fixed ones: is fk.rs there, and are the first lines of its three functions as they were? \
-                     A fresh one is solutions/templates/fk.rs.";
 
 /// Stands below the few lines that the window has room for.
 const IN_TERMINAL: &str = "The compiler's own words are in the terminal.";
@@ -36,8 +33,39 @@ impl Trouble {
     }
 }
 
-/// Compiles the package `fk` of the workspace that `folder` lies in and gives a worker that runs its functions. The worker
-/// is ended when `version` is abandoned; until then what it prints goes to the terminal.
+/// A program that answers for one version of an exercise's functions.
+pub struct Program {
+    executable: PathBuf,
+    version: Version,
+}
+
+impl Program {
+    /// A process of it, started by the first question. It is ended when the version is abandoned; until then what it prints
+    /// goes to the terminal.
+    pub fn worker(&self) -> WorkerProcess {
+        let worker = WorkerProcess::new(Command::new(&self.executable))
+            .printing_to(self.version.voice(io::stdout()))
+            .errors_to(self.version.voice(io::stderr()))
+            // The voices have a limit of their own, for every question.
+            .print_limit(usize::MAX);
+        self.ending(worker)
+    }
+
+    /// The same, for questions about nothing that is shown: what it prints is lost.
+    pub fn silent_worker(&self) -> WorkerProcess {
+        self.ending(
+            WorkerProcess::new(Command::new(&self.executable)).printing_to(io::sink()).errors_to(io::sink()),
+        )
+    }
+
+    fn ending(&self, worker: WorkerProcess) -> WorkerProcess {
+        let stopper = worker.stopper();
+        self.version.when_abandoned(move || stopper.stop());
+        worker
+    }
+}
+
+/// Compiles `package` in the workspace that `folder` lies in, for `version`, and gives the program that runs its functions.
 ///
 /// What the compiler says goes to the terminal as it is. The program is found by cargo's own word, wherever its
 /// target folder is.
@@ -45,8 +73,8 @@ impl Trouble {
 /// # Errors
 ///
 /// When cargo cannot be started or the package does not compile.
-pub fn compile(folder: &Path, version: &Version) -> Result<WorkerProcess, Trouble> {
-    run(cargo_build(folder), version)
+pub fn compile(package: Package, folder: &Path, version: &Version) -> Result<Program, Trouble> {
+    run(package, cargo_build(package, folder), version)
 }
 
 /// The same, with `target` as the target folder: two copies of the workspace cannot share one.
@@ -54,25 +82,30 @@ pub fn compile(folder: &Path, version: &Version) -> Result<WorkerProcess, Troubl
 /// # Errors
 ///
 /// As for [`compile`].
-pub fn compile_into(target: &Path, folder: &Path, version: &Version) -> Result<WorkerProcess, Trouble> {
-    let mut command = cargo_build(folder);
+pub fn compile_into(
+    target: &Path,
+    package: Package,
+    folder: &Path,
+    version: &Version,
+) -> Result<Program, Trouble> {
+    let mut command = cargo_build(package, folder);
     command.arg("--target-dir").arg(target);
-    run(command, version)
+    run(package, command, version)
 }
 
-/// Lets cargo build the exercise again although its file may be older than what was built last: a copy that is put in its
+/// Lets cargo build `package` again although its file may be older than what was built last: a copy that is put in its
 /// place keeps its time. Cargo looks at times, and not at what files hold.
-pub fn make_stale(folder: &Path) {
-    let fixed = folder.join("exercises").join("fk").join("src").join("lib.rs");
+pub fn make_stale(package: Package, folder: &Path) {
+    let fixed = package.sources(folder).join("lib.rs");
     // Where that cannot be done, newer files are built all the same.
     let _ = File::options().append(true).open(fixed).and_then(|file| file.set_modified(SystemTime::now()));
 }
 
-fn cargo_build(folder: &Path) -> Command {
+fn cargo_build(package: Package, folder: &Path) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     let color = if io::stderr().is_terminal() { "always" } else { "never" };
     command
-        .args(["build", "--quiet", "--package", "fk", "--bin", "fk-worker", "--color", color])
+        .args(["build", "--quiet", "--package", package.name(), "--bin", &package.worker(), "--color", color])
         .arg("--message-format=json-diagnostic-rendered-ansi")
         .current_dir(folder)
         .stdin(Stdio::null())
@@ -81,7 +114,7 @@ fn cargo_build(folder: &Path) -> Command {
     command
 }
 
-fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble> {
+fn run(package: Package, mut command: Command, version: &Version) -> Result<Program, Trouble> {
     // The build itself is never ended: what it leaves half-written could be taken for the next one's.
     let mut child = command.spawn().map_err(|error| Trouble {
         headline: "cargo could not be started, so your functions are not shown".into(),
@@ -92,14 +125,14 @@ fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble
     })?;
     let (stderr, listener) = (child.stderr.take(), version.clone());
     let errors = thread::spawn(move || stderr.map(|stderr| pass_on(stderr, &listener)).unwrap_or_default());
-    let built = child.stdout.take().map(|stdout| read_messages(stdout, version)).unwrap_or_default();
+    let built = child.stdout.take().map(|stdout| read_messages(package, stdout, version)).unwrap_or_default();
     if let Some((executable, rest)) = built.executable {
         // The program is there. What is left for cargo to do makes no difference to it.
         thread::spawn(move || {
             let _ = io::copy(&mut { rest }, &mut io::sink());
             let _ = child.wait();
         });
-        return Ok(worker(&executable, version));
+        return Ok(Program { executable, version: version.clone() });
     }
     let status = child.wait();
     let cargos_error = errors.join().unwrap_or_default();
@@ -107,11 +140,12 @@ fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble
     let students = built.first_error.as_ref().is_some_and(|found| found.place.is_some());
     let headline = if students { "your code does not compile" } else { "your functions could not be built" };
     let found = built.first_error.unwrap_or(Found { words: cargos_error, ..Found::default() });
-    let in_fixed = |place: &String| !place.replace('\\', "/").contains("src/fk.rs:");
+    let students_file = format!("src/{}:", package.file());
+    let in_fixed = |place: &String| !place.replace('\\', "/").contains(&students_file);
     let fixed = found.place.as_ref().is_some_and(in_fixed);
     let mut details = found.lines();
     if fixed {
-        details.push(FIXED.into());
+        details.push(fixed_words(package));
     }
     if details.is_empty() {
         let how = status.map_or_else(|error| error.to_string(), |status| status.to_string());
@@ -121,15 +155,13 @@ fn run(mut command: Command, version: &Version) -> Result<WorkerProcess, Trouble
     Err(Trouble { headline: headline.into(), details })
 }
 
-fn worker(executable: &Path, version: &Version) -> WorkerProcess {
-    let worker = WorkerProcess::new(Command::new(executable))
-        .printing_to(version.voice(io::stdout()))
-        .errors_to(version.voice(io::stderr()))
-        // The voices have a limit of their own, for every question.
-        .print_limit(usize::MAX);
-    let stopper = worker.stopper();
-    version.when_abandoned(move || stopper.stop());
-    worker
+/// What to do where the compiler points into a file that is not the student's.
+fn fixed_words(package: Package) -> String {
+    let file = package.file();
+    format!(
+        "Your file no longer fits the fixed ones: is {file} there, and are the first lines of its three functions as they were? \
+         A fresh one is solutions/templates/{file}."
+    )
 }
 
 /// Copies what cargo itself says to the terminal and gives its first error.
@@ -149,7 +181,7 @@ fn pass_on(stderr: impl Read, version: &Version) -> Vec<String> {
 
 /// What cargo's messages say.
 struct Built<R> {
-    /// The program `fk-worker`, and what cargo has not said yet.
+    /// The program, and what cargo has not said yet.
     executable: Option<(PathBuf, R)>,
     first_error: Option<Found>,
 }
@@ -161,14 +193,15 @@ impl<R> Default for Built<R> {
 }
 
 /// Reads cargo's messages until the program is there, or to their end, and copies the compiler's words to the terminal.
-fn read_messages<R: Read>(stdout: R, version: &Version) -> Built<BufReader<R>> {
+fn read_messages<R: Read>(package: Package, stdout: R, version: &Version) -> Built<BufReader<R>> {
+    let worker = package.worker();
     let mut built = Built::default();
     let (mut source, mut line) = (BufReader::new(stdout), Vec::new());
     while source.read_until(b'\n', &mut line).is_ok_and(|count| count > 0) {
         let message = serde_json::from_slice(&line).unwrap_or(Value::Null);
         line.clear();
         if message["reason"] == "compiler-artifact"
-            && message["target"]["name"] == "fk-worker"
+            && message["target"]["name"] == worker.as_str()
             && let Some(executable) = message["executable"].as_str()
         {
             built.executable = Some((executable.into(), source));
@@ -201,18 +234,25 @@ mod tests {
 
     use super::*;
 
-    /// A package `fk` of its own, without dependencies, in a folder with a blank in its name.
+    /// The package `fk` by itself, without dependencies, in a folder with a blank in its name.
     fn package(worker: &str) -> tempfile::TempDir {
+        package_of(Package::Fk, worker)
+    }
+
+    fn package_of(package: Package, worker: &str) -> tempfile::TempDir {
         let folder = tempfile::Builder::new().prefix("with blank ").tempdir().unwrap();
-        let manifest = "[package]\nname = \"fk\"\nedition = \"2024\"\n[[bin]]\nname = \"fk-worker\"\npath = \"worker.rs\"\n[workspace]\n";
+        let (name, program) = (package.name(), package.worker());
+        let manifest = format!(
+            "[package]\nname = \"{name}\"\nedition = \"2024\"\n[[bin]]\nname = \"{program}\"\npath = \"worker.rs\"\n[workspace]\n"
+        );
         fs::write(folder.path().join("Cargo.toml"), manifest).unwrap();
         fs::write(folder.path().join("worker.rs"), worker).unwrap();
         folder
     }
 
     /// Compiles it in its own folder, whatever target folder the tests use.
-    fn compile_alone(folder: &Path) -> Result<WorkerProcess, Trouble> {
-        compile_into(&folder.join("target"), folder, &Version::default())
+    fn compile_alone(folder: &Path) -> Result<Program, Trouble> {
+        compile_into(&folder.join("target"), Package::Fk, folder, &Version::default())
     }
 
     #[test]
@@ -226,9 +266,35 @@ mod tests {
     }
 
     #[test]
+    fn every_exercise_is_built_by_its_name_and_told_with_its_file() {
+        for exercise in [Package::Interpolation, Package::Keyframes] {
+            let students = "pub fn wrong() -> u8 { 'c' }\n";
+            let folder = package_of(exercise, &format!("mod {};\nfn main() {{}}\n", exercise.name()));
+            let compile =
+                || compile_into(&folder.path().join("target"), exercise, folder.path(), &Version::default());
+            let file = exercise.file();
+            let trouble = compile().err().unwrap();
+            assert!(
+                trouble.details.iter().any(|line| line.contains(&format!("is {file} there"))),
+                "{trouble:?}"
+            );
+            fs::create_dir(folder.path().join("src")).unwrap();
+            fs::write(folder.path().join("src").join(&file), students).unwrap();
+            let path = format!("#[path = \"src/{file}\"]\nmod student;\nfn main() {{ student::wrong(); }}\n");
+            fs::write(folder.path().join("worker.rs"), path).unwrap();
+            let trouble = compile().err().unwrap();
+            assert!(
+                trouble.details[1].replace('\\', "/").ends_with(&format!("src/{file}:1:24")),
+                "{trouble:?}"
+            );
+            assert!(!trouble.details.iter().any(|line| line.contains("fixed ones")), "{trouble:?}");
+        }
+    }
+
+    #[test]
     fn code_that_compiles_becomes_a_program_that_is_asked() {
         let folder = package("fn main() { std::process::exit(7) }");
-        let mut worker = compile_alone(folder.path()).unwrap();
+        let mut worker = compile_alone(folder.path()).ok().unwrap().worker();
         let question = exam::fk::Question::Poses { skeleton: Skeleton::new(), frames: Vec::new() };
         let failure = worker.ask(&Question::Fk(question), Duration::from_secs(60)).unwrap_err();
         assert!(failure.to_string().contains('7'), "{failure}");
@@ -243,7 +309,7 @@ mod tests {
 
     #[test]
     fn without_cargo_it_is_told_where_to_get_it() {
-        let trouble = run(Command::new("/no/such/cargo"), &Version::default()).err().unwrap();
+        let trouble = run(Package::Fk, Command::new("/no/such/cargo"), &Version::default()).err().unwrap();
         assert!(trouble.headline.contains("cargo could not be started"), "{trouble:?}");
         assert!(trouble.details[1].contains("rustup.rs"), "{trouble:?}");
     }
@@ -251,10 +317,10 @@ mod tests {
     #[test]
     fn without_a_linker_it_is_told_what_to_install() {
         let folder = package("fn main() {}");
-        let mut command = cargo_build(folder.path());
+        let mut command = cargo_build(Package::Fk, folder.path());
         command.env("CARGO_TARGET_DIR", folder.path().join("target"));
         command.env("RUSTFLAGS", "-Clinker=/no/such/linker");
-        let trouble = run(command, &Version::default()).err().unwrap();
+        let trouble = run(Package::Fk, command, &Version::default()).err().unwrap();
         assert!(trouble.details[0].contains("linker"), "{trouble:?}");
         assert!(trouble.details[1].contains("build-essential"), "{trouble:?}");
     }

@@ -1,6 +1,7 @@
 //! Pictures, films and contact sheets as files.
 
-mod beside;
+pub(crate) mod beside;
+pub mod edit;
 pub mod film;
 pub mod frames;
 pub mod picture;

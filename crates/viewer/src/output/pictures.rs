@@ -10,6 +10,7 @@ use crate::draw::Painter;
 use crate::draw::canvas::{Canvas, Color, Weight};
 use crate::edit::ReferenceHand;
 use crate::live::board::Board;
+use crate::live::package::Package;
 use crate::motion::stage::Stage;
 use crate::scene::{Axes, Dot, Figure, Look, Mark, Scene, Side, Style, Tint};
 use crate::view::answers::Recorded;
@@ -272,6 +273,7 @@ impl Studio {
 /// The answers of `functions` up to a frame, and their points.
 fn judged(functions: FkFunctions, stage: &Stage, frame: usize) -> Recorded {
     let mut recorded = Recorded::of(&functions, stage, 0..=frame);
-    recorded.standing.board = Some(Arc::new(Board::of(&mut InProcess(Functions::Fk(functions)))));
+    let board = Board::of(&mut InProcess(Functions::Fk(functions)), Package::Fk);
+    recorded.standing.board = Some(Arc::new(board));
     recorded
 }

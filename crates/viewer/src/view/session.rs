@@ -4,11 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::thread;
 
-use crate::edit::{Engine, ReferenceHand};
+use crate::edit::{Engine, Hand, ReferenceHand};
+use crate::live::package::Package;
+use crate::live::sister::{Come, Sister};
 use crate::live::watch::{Baseline, Watcher};
 use crate::live::{Live, OfMotion};
 use crate::motion::source::{Loaded, Source};
-use crate::view::app::{App, Shown};
+use crate::view::app::{self, App, Shown};
 use crate::view::gallery::Gallery;
 use crate::view::screen::Screen;
 use crate::window::input::Gesture;
@@ -27,23 +29,28 @@ pub struct Session {
 
 type Reading = Result<Loaded, parser::bvh::FileError>;
 
-/// Whose functions move the figures.
+/// Whose functions move the figures, and edit the motions. They watch the motions' files too.
 enum Functions {
-    /// The student's. They watch the motions' files too.
+    /// The student's move the figures. The reference's edit.
     Student(Box<Live>),
+    /// The student's have a part in editing. The reference's do the rest.
+    Sister(Box<Sister>),
     /// The reference's. These files are watched.
     Reference(Watcher, Vec<PathBuf>),
 }
 
 impl Session {
-    /// Shows `gallery`, whose motions were read from `sources`, in the same order. The functions of the exercise in the
-    /// folder `workspace` move the figures, or else the reference's.
-    pub fn open(gallery: Gallery, sources: Vec<Source>, workspace: Option<&Path>) -> Session {
+    /// Shows `gallery`, whose motions were read from `sources`, in the same order. The functions of the exercise `followed`,
+    /// in the workspace in that folder, do their part, and the reference's all the rest.
+    pub fn open(gallery: Gallery, sources: Vec<Source>, followed: Option<(Package, &Path)>) -> Session {
         let files: Vec<PathBuf> = sources.iter().map(|source| source.path.clone()).collect();
-        let functions = match workspace {
-            Some(workspace) => {
+        let functions = match followed {
+            Some((Package::Fk, workspace)) => {
                 let stages = gallery.apps().iter().map(|app| app.stage().clone()).collect();
                 Functions::Student(Box::new(Live::open(workspace, stages, files)))
+            }
+            Some((package, workspace)) => {
+                Functions::Sister(Box::new(Sister::open(package, workspace, files, reference)))
             }
             None => {
                 let watcher = Watcher::start(Baseline::of_motions(&files), |_| {});
@@ -51,7 +58,9 @@ impl Session {
             }
         };
         let readings = sources.iter().map(|_| None).collect();
-        let engine = |app: &App| Engine::start(app.stage().clone(), Some(Box::new(ReferenceHand::default())));
+        // Until a student's functions are built, nobody edits.
+        let hand = || (!matches!(functions, Functions::Sister(_))).then(reference);
+        let engine = |app: &App| Engine::start(app.stage().clone(), hand());
         let engines = gallery.apps().iter().map(engine).collect();
         Session { gallery, sources, readings, engines, functions }
     }
@@ -68,16 +77,27 @@ impl Session {
                 }
                 live.update(&shown)
             }
+            Functions::Sister(sister) => {
+                let Come { saved, hands } = sister.update();
+                for (motion, hand) in hands {
+                    self.engines[motion].set_hand(hand);
+                }
+                saved
+            }
             Functions::Reference(watcher, files) => watcher.saved_motions(files),
         };
         for motion in saved {
             self.readings[motion] = Some(read_in_background(self.sources[motion].clone()));
         }
         (0..self.readings.len()).for_each(|motion| self.take_reading(motion));
-        for (app, engine) in self.gallery.apps_mut().iter_mut().zip(&mut self.engines) {
+        for (motion, (app, engine)) in self.gallery.apps_mut().iter_mut().zip(&mut self.engines).enumerate() {
             engine.want(app.wish());
             engine.update();
             app.show_edit(engine.state());
+            if let Functions::Sister(sister) = &self.functions {
+                let (package, standing) = (sister.package(), sister.standing(motion));
+                app.show_sister(Some(app::Sister { package, standing }));
+            }
         }
     }
 
@@ -137,6 +157,10 @@ impl Session {
     }
 }
 
+fn reference() -> Box<dyn Hand> {
+    Box::new(ReferenceHand::default())
+}
+
 fn read_in_background(source: Source) -> Receiver<Reading> {
     let (sender, reading) = mpsc::channel();
     // When a newer save is being read already, nobody wants this one.
@@ -151,7 +175,7 @@ impl Functions {
     fn answers(&self, count: usize) -> Vec<OfMotion<'_>> {
         match self {
             Functions::Student(live) => (0..count).map(|motion| live.of(motion)).collect(),
-            Functions::Reference(..) => Vec::new(),
+            Functions::Sister(_) | Functions::Reference(..) => Vec::new(),
         }
     }
 }

@@ -1,8 +1,11 @@
 //! A student edits the file while the window is open.
 
+use std::sync::PoisonError;
+
 use viewer::draw::color_of;
 use viewer::scene::{Off, Tint};
 
+use super::TURN;
 use super::display::{Display, wait_for};
 use super::support::Course;
 use super::viewer::Viewer;
@@ -14,6 +17,7 @@ const TEMPLATE: &str = include_str!("../../../../solutions/templates/fk.rs");
 
 /// From the template to the solution, through all that can go wrong on the way.
 fn edits() {
+    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     let course = Course::open("a window with spaces");
     course.save(TEMPLATE);
     let display = Display::start();

@@ -13,11 +13,17 @@ mod input;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod live;
 #[cfg(all(unix, not(target_os = "macos")))]
+mod sister;
+#[cfg(all(unix, not(target_os = "macos")))]
 #[allow(dead_code)] // Of its helpers, not all are used here.
 #[path = "../../../grading/tests/support/mod.rs"]
 mod support;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod viewer;
+
+/// Tests that edit the same copy of the workspace take turns.
+#[cfg(all(unix, not(target_os = "macos")))]
+static TURN: std::sync::Mutex<()> = std::sync::Mutex::new(());
 
 #[cfg(all(unix, not(target_os = "macos")))]
 fn main() {
@@ -31,7 +37,7 @@ fn main() {
         println!("NOT RUN: the tests of the window need Xvfb and xdotool (packages xvfb and xdotool).");
     }
     let quick = input::TESTS.iter().chain(files::TESTS).map(|test| (test, false));
-    let slow = live::TESTS.iter().map(|test| (test, true));
+    let slow = live::TESTS.iter().chain(sister::TESTS).map(|test| (test, true));
     let trials = quick.chain(slow).map(|((name, test), slow)| {
         Trial::test(*name, move || {
             test();

@@ -54,8 +54,8 @@ fn of_a_stretch_the_frames_between_its_ends_are_interpolated_and_no_others() {
             sum += own;
         }
         assert!(edited.error > 0.0 && (edited.error / sum - 1.0).abs() < 1e-9);
-        // Two tips in 14 frames.
-        assert!((edited.distance.powi(2) * 28.0 / sum - 1.0).abs() < 1e-9);
+        // Two tips in 16 frames, the keyframes among them.
+        assert!((edited.distance.powi(2) * 32.0 / sum - 1.0).abs() < 1e-9);
         assert!(edited.curves.is_none());
     }
 }

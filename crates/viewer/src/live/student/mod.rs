@@ -9,16 +9,14 @@ mod held;
 mod narrow;
 mod pieces;
 mod plan;
-mod rebuilder;
 #[cfg(test)]
 mod tests;
-mod version;
 mod window;
 mod work;
 
 use std::collections::BTreeMap;
 use std::sync::mpsc::{self, Receiver};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread;
 
 use exam::Subject;
@@ -27,10 +25,10 @@ use exam::fk::{LocalAnswer, PosedFrame};
 pub(crate) use ask::locals as ask_locals;
 pub use ask::{PATIENCE, ask};
 pub(crate) use narrow::explain;
-pub use rebuilder::Rebuilder;
-pub use version::Version;
 
 use crate::live::board::Board;
+use crate::live::rebuilder::Rebuilder;
+use crate::live::version::Version;
 use crate::live::worker::Trouble;
 use crate::motion::stage::Stage;
 use held::Held;
@@ -123,7 +121,11 @@ impl Student {
                 thread::Builder::new().name("student".into()).spawn(move || work.run(&open)).map(|_| ())
             }
         };
-        let rebuilder = Rebuilder::new(desk.clone(), Box::new(start));
+        let begin = {
+            let desk = desk.clone();
+            move || desk.begin()
+        };
+        let rebuilder = Rebuilder::new(Box::new(begin), Box::new(start));
         let mut student = Student {
             desk,
             held,
@@ -303,8 +305,4 @@ impl Drop for Student {
 /// How many batches are kept for each of some motions.
 fn most_batches(motions: usize) -> usize {
     MOST_BATCHES / motions.max(1)
-}
-
-fn lock<T: ?Sized>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -9,12 +9,14 @@ use std::time::Duration;
 use exam::fk::{LocalAnswer, PosedFrame};
 use exam::{Answer, Failure, Question, Subject};
 
+use super::News;
 use super::ask::{self, FRAME_LIMIT, PATIENCE};
 use super::narrow::{self, Place};
 use super::plan::{Motion, Plan, Task};
-use super::version::Version;
-use super::{News, lock};
 use crate::live::board::Board;
+use crate::live::lock;
+use crate::live::package::Package;
+use crate::live::version::Version;
 use crate::live::worker::Trouble;
 
 /// The plan, and word that there is something new in it.
@@ -54,6 +56,17 @@ impl Desk {
 
     pub(super) fn plan(&self) -> MutexGuard<'_, Plan> {
         lock(&self.0.0)
+    }
+
+    /// A new version begins. Gives its number.
+    pub(super) fn begin(&self) -> u64 {
+        let number = {
+            let mut plan = self.plan();
+            plan.begin();
+            plan.version
+        };
+        self.wake();
+        number
     }
 
     /// There is something new in the plan.
@@ -124,7 +137,7 @@ impl Work {
             }
             Task::Grade => {
                 self.send(Event::Grading);
-                let board = Arc::new(Board::of(&mut Attentive { subject, work: self }));
+                let board = Arc::new(Board::of(&mut Attentive { subject, work: self }, Package::Fk));
                 self.send(Event::Graded(Arc::clone(&board)));
                 self.tell(News::Board(board));
             }

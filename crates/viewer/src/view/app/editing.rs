@@ -183,7 +183,8 @@ impl App {
     /// can be seen at any speed of the motion.
     pub(super) fn flashes(&self, frame: usize) -> bool {
         let span = (FLASH / self.stage.motion().playable_frame_time()).round() as usize;
-        self.edited().is_some_and(|edited| edited.is_at_keyframe(frame, span, self.player.is_backwards()))
+        let edited = self.edited().filter(|edited| edited.interpolated > 0);
+        edited.is_some_and(|edited| edited.is_at_keyframe(frame, span, self.player.is_backwards()))
     }
 
     /// Takes so many more keyframes, or fewer when it is negative.

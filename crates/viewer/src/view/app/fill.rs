@@ -81,7 +81,8 @@ impl App {
             }
         }
         if let Some(pose) = solid {
-            let current = standing.as_ref().is_none_or(|standing| standing.current);
+            let outdated = interpolated.is_some() && self.is_outdated();
+            let current = standing.as_ref().is_none_or(|standing| standing.current) && !outdated;
             let wanted = Wanted {
                 look: match current {
                     true if self.flashes(frame) => Look::Flash,

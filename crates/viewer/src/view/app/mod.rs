@@ -5,6 +5,7 @@ mod aim;
 mod editing;
 mod fill;
 mod plot;
+mod sister;
 #[cfg(test)]
 mod tests;
 
@@ -22,6 +23,7 @@ use crate::window::keys::Action;
 
 use aim::Aim;
 pub use editing::{EditSettings, Editing};
+pub use sister::Sister;
 
 /// Whose functions move the figure.
 #[derive(Clone, Copy)]
@@ -96,6 +98,8 @@ pub struct App {
     /// The End Sites, and leaves without one.
     tips: Vec<usize>,
     editing: Editing,
+    /// Of an exercise on editing.
+    sister: Option<Sister>,
     memory: Memory,
 }
 
@@ -127,6 +131,7 @@ impl App {
             aim: Aim::Meet,
             selected: None,
             editing: Editing::default(),
+            sister: None,
             memory: Memory::default(),
         }
     }

@@ -15,7 +15,9 @@ pub fn write(facts: &Facts, editing: &Editing, panel: &mut Panel) {
     let settings = &facts.app.settings;
     let Some(representation) = settings.edit.interpolated() else { return };
     heading(facts, panel);
-    if let Some(failure) = &editing.failure {
+    // Why a student's functions gave no answer is told with them.
+    let told = |failure: &NotEdited| facts.app.sister().is_some() && matches!(failure, NotEdited::Failed(_));
+    if let Some(failure) = editing.failure.as_ref().filter(|failure| !told(failure)) {
         panel.add(Line::Trouble, failure);
         if matches!(**failure, NotEdited::TooLong { .. }) && !settings.still {
             panel.add(Line::Text, "[ and ] set a stretch, i interpolates it (k must be off)");
@@ -40,7 +42,10 @@ pub fn write(facts: &Facts, editing: &Editing, panel: &mut Panel) {
         let what = if settings.still { "picture" } else { "window" };
         panel.add(Line::Quiet, format_args!("the plot needs a larger {what}"));
     }
-    if editing.stale && editing.edited.is_some() && editing.failure.is_some() {
+    if editing.stale
+        && editing.edited.is_some()
+        && editing.failure.as_ref().is_some_and(|failure| !told(failure))
+    {
         panel.add(Line::Quiet, "the last result stays");
     }
 }

@@ -5,6 +5,7 @@ mod joint;
 mod legend;
 mod number;
 mod points;
+mod sister;
 mod state;
 
 use std::fmt::Write;
@@ -53,6 +54,11 @@ impl Facts<'_> {
         answers.locals(self.app.frame()).filter(|_| self.standing.is_some_and(|standing| standing.current))
     }
 
+    /// How things stand with the student's functions, whatever they do.
+    fn standing_of_any(&self) -> Option<&Standing> {
+        self.app.sister().map(|sister| &sister.standing).or(self.standing)
+    }
+
     /// Whether there is room for words beside the figure.
     fn is_roomy(&self) -> bool {
         self.has_room(800.0, 450.0)
@@ -79,7 +85,9 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
         return None;
     }
     let edit = &settings.edit;
-    if let Some(editing) = facts.app.editing() {
+    if sister::has_told_all(facts) {
+        // Nothing is edited, and why is told above.
+    } else if let Some(editing) = facts.app.editing() {
         edit::write(facts, editing, begin(panels, Corner::TopLeft));
     } else if (edit.errors || edit.plot) && !settings.still {
         edit::write_hint(facts, begin(panels, Corner::TopLeft));

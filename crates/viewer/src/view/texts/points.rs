@@ -6,7 +6,7 @@ use super::Facts;
 use crate::scene::{Line, Panel};
 
 pub fn write(facts: &Facts, panel: &mut Panel) {
-    let Some(standing) = facts.standing else { return };
+    let Some(standing) = facts.standing_of_any() else { return };
     let (board, outdated) = match (&standing.board, &standing.former) {
         (Some(board), _) => (board, false),
         (None, Some(former)) => (former, true),

@@ -77,6 +77,9 @@ fn frame(facts: &Facts, panel: &mut Panel) {
 }
 
 fn functions(facts: &Facts, panel: &mut Panel) {
+    if let Some(sister) = facts.app.sister() {
+        return super::sister::write(facts, sister, panel);
+    }
     // Whose an edited motion is, is told with it.
     if facts.edited.is_some() {
         return;

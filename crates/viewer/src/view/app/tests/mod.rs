@@ -3,6 +3,7 @@
 mod camera;
 mod changes;
 mod editing;
+mod sister;
 mod texts;
 
 use skeleton::{FkFunctions, PositionChannels};

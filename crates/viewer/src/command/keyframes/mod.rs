@@ -1,0 +1,218 @@
+//! Reduced motions, error curves and their numbers as files.
+
+mod arguments;
+
+use std::io;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use parser::{bvh, printable};
+use reduction::{Curve, Errors, curve};
+use skeleton::{Frame, Motion, PositionChannels, Representation};
+
+pub use arguments::KeyframeArguments;
+
+use super::print::{count, number};
+use super::targets::shown;
+use super::{say, text};
+use crate::motion::source::Source;
+use crate::output::beside::write_whole;
+use crate::output::edit::{self, Choice, Misfit, Reduced, TooLong};
+
+/// So many keyframes, and so many joints that something is said about, are listed.
+const MOST_LISTED: (usize, usize) = (200, 10);
+
+/// Writes what the command line asks for. The targets have been looked at.
+pub fn write(arguments: &KeyframeArguments, sources: &[Source]) -> Result<(), String> {
+    let [source] = sources else {
+        return Err(format!("keyframes are those of one motion, and there are {} files", sources.len()));
+    };
+    let loaded = source.read().map_err(text)?;
+    for warning in &loaded.warnings {
+        eprintln!("{}: {warning}", source.title());
+    }
+    let motion = loaded.stage.motion();
+    if motion.frame_count() == 0 {
+        return Err(format!("{}: there are no frames, and so no keyframes", source.title()));
+    }
+    let work = Work { arguments, title: source.title(), motion, frames: frames(motion, source.positions) };
+    if let Some(path) = arguments.out() {
+        work.write_motion(path)?;
+    }
+    if arguments.plot().or(arguments.csv()).is_some() {
+        work.write_curves()?;
+    }
+    Ok(())
+}
+
+fn frames(motion: &Motion, positions: PositionChannels) -> Vec<Frame> {
+    let read = |index| {
+        let mut frame = Frame::default();
+        motion.read_frame(index, positions, &mut frame);
+        frame
+    };
+    (0..motion.frame_count()).map(read).collect()
+}
+
+/// A motion, and what is to become of it.
+struct Work<'a> {
+    arguments: &'a KeyframeArguments,
+    title: String,
+    motion: &'a Motion,
+    frames: Vec<Frame>,
+}
+
+impl Work<'_> {
+    fn errors(&self, representation: Representation) -> Errors {
+        Errors::new(self.motion.skeleton(), &self.frames, representation)
+    }
+
+    fn write_motion(&self, path: &Path) -> Result<(), String> {
+        let KeyframeArguments { method, .. } = *self.arguments;
+        let errors = self.errors(self.arguments.representation());
+        let bar = bar("choosing keyframes");
+        let choice =
+            method.choose(&errors, self.arguments.count(), &mut |done, all| move_bar(&bar, done, all));
+        bar.finish_and_clear();
+        let choice = choice.map_err(|TooLong| self.too_long())?;
+        let Reduced { motion, misfits } = edit::reduced(self.motion, errors.clip(), &choice.keyframes);
+        write_whole(path, |out| bvh::write(&motion, out))
+            .map_err(|error| not_written("motion", path, &error))?;
+        self.warn(&misfits);
+        say(&format!("{}: {}", shown(path), self.summary(&errors, &choice)));
+        Ok(())
+    }
+
+    fn too_long(&self) -> String {
+        format!(
+            "{}: to find the best {} keyframes of {} would take too long; --method moves comes close to them",
+            self.title,
+            self.arguments.count(),
+            count(self.motion.frame_count(), "frame", "frames"),
+        )
+    }
+
+    /// Tells which joints could not be turned as they should be.
+    fn warn(&self, misfits: &[Misfit]) {
+        for Misfit { joint, channels, degrees, frame } in misfits.iter().take(MOST_LISTED.1) {
+            eprintln!(
+                "{}: {} has {}, which cannot hold every rotation: the closest were written, off by up to {} degrees \
+                 (frame {frame})",
+                self.title,
+                printable(&self.motion.skeleton().label(*joint)),
+                count(*channels, "rotation channel", "rotation channels"),
+                number(*degrees, 2),
+            );
+        }
+        if let Some(more @ 1..) = misfits.len().checked_sub(MOST_LISTED.1) {
+            eprintln!("{}: the same of {}", self.title, count(more, "more joint", "more joints"));
+        }
+    }
+
+    fn summary(&self, errors: &Errors, choice: &Choice) -> String {
+        let Choice { keyframes, cap } = choice;
+        let (frames, asked) = (self.motion.frame_count(), self.arguments.count());
+        let why = match keyframes.len() {
+            kept if kept == asked => "",
+            kept if kept < asked => ": there are no more",
+            _ => ": the first and the last one always stay",
+        };
+        let listed: Vec<String> = keyframes.iter().take(MOST_LISTED.0).map(usize::to_string).collect();
+        let more = keyframes.len() - listed.len();
+        let more = if more > 0 { format!(", and {more} more") } else { String::new() };
+        let capped = cap.map_or(String::new(), |cap| {
+            format!(" of all keyframes at most {cap} frames apart; with longer gaps there may be better ones")
+        });
+        let error = errors.of_keyframes(keyframes);
+        let facts = [
+            ("keyframes", format!("{}{more}", listed.join(", "))),
+            ("chosen", format!("{}{capped}", self.arguments.method.name())),
+            ("interpolated", self.arguments.representation().to_string()),
+            (
+                "accumulated error",
+                format!("{} squared units of the file, over all frames and tips", significant(error)),
+            ),
+            (
+                "RMS distance",
+                format!("{} units of the file, per tip and frame", significant(edit::rms(errors, error))),
+            ),
+        ];
+        let counts = [count(frames, "frame", "frames"), count(keyframes.len(), "keyframe", "keyframes")];
+        facts.iter().fold(format!("{}{why}\n", counts.join(", ")), |text, (name, fact)| {
+            text + &format!("  {name:<18} {fact}\n")
+        })
+    }
+
+    fn write_curves(&self) -> Result<(), String> {
+        let [euler, quaternions] = Representation::ALL.map(|representation| self.curve(representation));
+        if let Some(path) = self.arguments.plot() {
+            let title = format!("Accumulated error of {}", self.title);
+            let svg = edit::svg(&title, self.motion.frame_count(), &euler, &quaternions)?;
+            write_whole(path, |out| out.write_all(svg.as_bytes()))
+                .map_err(|error| not_written("picture", path, &error))?;
+            let interpolated = count(euler.removed.len(), "interpolated frame", "interpolated frames");
+            say(&format!("{}: both curves, up to {interpolated}\n", shown(path)));
+        }
+        if let Some(path) = self.arguments.csv() {
+            write_whole(path, |out| edit::write_csv(&euler, &quaternions, out))
+                .map_err(|error| not_written("table", path, &error))?;
+            let rows = count(euler.errors.len().max(quaternions.errors.len()), "row", "rows");
+            say(&format!("{}: {rows} of numbers\n", shown(path)));
+        }
+        Ok(())
+    }
+
+    fn curve(&self, representation: Representation) -> Curve {
+        let bar = bar(&representation.to_string());
+        let curve = curve(&self.errors(representation), self.arguments.count(), &mut |done, all| {
+            move_bar(&bar, done, all);
+            ControlFlow::Continue(())
+        });
+        bar.finish_and_clear();
+        curve
+    }
+}
+
+/// A number with at least four digits that say something, and at least one behind the point.
+fn significant(value: f64) -> String {
+    let digits = if value > 0.0 { 3 - value.log10().floor() as i32 } else { 1 };
+    number(value, digits.clamp(1, 5) as usize)
+}
+
+fn not_written(what: &str, path: &Path, error: &io::Error) -> String {
+    format!("the {what} cannot be written to {}: {error}", shown(path))
+}
+
+/// A bar in the terminal; nothing where there is none.
+fn bar(what: &str) -> ProgressBar {
+    let bar = ProgressBar::new(0);
+    let style = ProgressStyle::with_template("{bar:40} {msg}, {percent} %");
+    style.map_or(bar.clone(), |style| bar.with_style(style)).with_message(what.to_owned())
+}
+
+fn move_bar(bar: &ProgressBar, done: usize, all: usize) {
+    bar.set_length(all as u64);
+    bar.set_position(done as u64);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_say_something_whatever_the_unit_is() {
+        let numbers = [
+            (0.0, "0.0"),
+            (14995.04, "14995.0"),
+            (3.8984, "3.898"),
+            (0.123_456, "0.1235"),
+            (0.001_234_5, "0.0012345"),
+            (f64::INFINITY, "inf"),
+            (f64::NAN, "NaN"),
+        ];
+        for (number, text) in numbers {
+            assert_eq!(significant(number), text);
+        }
+    }
+}
