@@ -1,4 +1,5 @@
-//! The reference solution of interpolation: the examples of its own text, and what holds for any rotation and any angle.
+//! The reference solution of interpolation: the examples of its own text, and what holds for any rotation and any
+//! angle.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
@@ -102,7 +103,8 @@ mod rotations {
             let whole = angle(from, to);
             // The shorter way is at most half a turn, whichever of its two quaternions a rotation is written as.
             prop_assert!(whole <= std::f64::consts::PI + 1e-3);
-            prop_assert!((angle(from, between) - f64::from(t) * whole).abs() < 2e-3, "{} of {}", angle(from, between), whole);
+            let so_far = angle(from, between);
+            prop_assert!((so_far - f64::from(t) * whole).abs() < 2e-3, "{} of {}", so_far, whole);
             prop_assert!((angle(between, to) - f64::from(1.0 - t) * whole).abs() < 2e-3);
             prop_assert!(slerp(from, -to, t).dot(between).abs() > 1.0 - 1e-5);
         }
@@ -186,8 +188,8 @@ mod frames {
         assert_eq!(angles.positions, quaternions.positions);
     }
 
-    /// A joint without angles that moves from the origin to (10, −2, 0); one with the order ZYX, turned from nothing to these angles;
-    /// an End Site.
+    /// A joint without angles that moves from the origin to (10, −2, 0); one with the order ZYX, turned from nothing
+    /// to these angles; an End Site.
     fn example(angles: [f32; 3]) -> (Skeleton, [Frame; 2]) {
         let mut skeleton = Skeleton::new();
         let root = skeleton.add_joint(None, "root", Vec3::ZERO, [Channel::Position(Axis::X)]).unwrap();
@@ -216,10 +218,11 @@ mod frames {
                 skeleton.add_joint(parent, "joint", Vec3::ONE, channels).unwrap();
             }
             let mut numbers = numbers.into_iter().cycle();
+            let mut next = |count: usize| numbers.by_ref().take(count).collect::<Vec<f32>>();
             let turning = orders.iter().filter(|order| **order != RotationOrder::None).count();
             let mut frame = || Frame {
-                angles: numbers.by_ref().take(3 * turning).collect(),
-                local_positions: orders.iter().map(|_| Vec3::from_array(std::array::from_fn(|_| numbers.next().unwrap()))).collect(),
+                angles: next(3 * turning),
+                local_positions: orders.iter().map(|_| Vec3::from_slice(&next(3))).collect(),
             };
             let (from, to) = (frame(), frame());
             let pose = interpolate_frame(&skeleton, &from, &to, t, representation);

@@ -1,18 +1,19 @@
 //! Poses between keyframes, fast.
 //!
-//! What the exercises on forward kinematics and on interpolation compute joint by joint, [`InbetweenClip`] computes for a
-//! whole motion, with everything prepared that does not change. It is linked into the process that runs a student's
-//! keyframe functions: no error of a pose and no cost of a keyframe is calculated here.
+//! What the exercises on forward kinematics and on interpolation compute joint by joint, [`InbetweenClip`] computes
+//! for a whole motion, with everything prepared that does not change. It is linked into the process that runs a
+//! student's keyframe functions: no error of a pose and no cost of a keyframe is calculated here.
 //!
 //! # Standing still
 //!
-//! Where a motion stands still, nothing needs to be interpolated, and nothing is: frames between two keyframes of the same
-//! [stretch that stands still](InbetweenClip::is_still) are given as they are. A stretch begins with a frame, and goes on
-//! for as long as every joint is as in that frame:
+//! Where a motion stands still, nothing needs to be interpolated, and nothing is: frames between two keyframes of the
+//! same [stretch that stands still](InbetweenClip::is_still) are given as they are. A stretch begins with a frame,
+//! and goes on for as long as every joint is as in that frame:
 //!
-//! - each of its angles within 0.0002 degrees, or, with [`Representation::Quaternion`], its rotation within 0.0005 degrees;
-//! - its local position within a millionth of the skeleton's [extent](Skeleton::extent), or within four times the last digit that an
-//!   `f32` of the size of that position has, where that is more.
+//! - each of its angles within 0.0002 degrees, or, with [`Representation::Quaternion`], its rotation within 0.0005
+//!   degrees;
+//! - its local position within a millionth of the skeleton's [extent](Skeleton::extent), or within four times the
+//!   last digit that an `f32` of the size of that position has, where that is more.
 //!
 //! That is what angles of some hundred degrees lose by being stored as `f32`, and far less than any camera sees.
 #![deny(missing_docs)]
@@ -38,9 +39,9 @@ use turn::Halves;
 
 /// A motion whose frames can be posed as they are, or as they would be between keyframes.
 ///
-/// Frames are counted from 0. No number of a frame makes it panic: a frame behind the last one counts as the last one, a
-/// frame outside of two keyframes as the nearer of the two, and when the keyframe `end` is not behind `start` there is only
-/// `start`. A motion without frames stands in its rest pose.
+/// Frames are counted from 0. No number of a frame makes it panic: a frame behind the last one counts as the last
+/// one, a frame outside of two keyframes as the nearer of the two, and when the keyframe `end` is not behind `start`
+/// there is only `start`. A motion without frames stands in its rest pose.
 #[derive(Clone, Debug)]
 pub struct InbetweenClip {
     /// No other clip has this number, except for clones.
@@ -74,8 +75,8 @@ pub fn clip(skeleton: &Skeleton, frames: &[Frame], representation: Representatio
     Box::new(InbetweenClip::new(skeleton, frames, representation))
 }
 
-/// Makes `pose` the global pose that a local one makes, parents first. Where `local` has no rotation for a joint, it is not
-/// turned; where it has no position, the joint is at its offset.
+/// Makes `pose` the global pose that a local one makes, parents first. Where `local` has no rotation for a joint, it
+/// is not turned; where it has no position, the joint is at its offset.
 pub fn pose_of(skeleton: &Skeleton, local: &LocalPose, pose: &mut Pose) {
     let rotation = |joint: &Joint| local.rotations.get(joint.id.0).copied().unwrap_or(Quat::IDENTITY);
     let position = |joint: &Joint| local.positions.get(joint.id.0).copied().unwrap_or(joint.offset);
@@ -83,7 +84,8 @@ pub fn pose_of(skeleton: &Skeleton, local: &LocalPose, pose: &mut Pose) {
 }
 
 impl InbetweenClip {
-    /// Prepares the frames of a motion. Angles that a frame lacks are zero, and positions that it lacks are the offsets.
+    /// Prepares the frames of a motion. Angles that a frame lacks are zero, and positions that it lacks are the
+    /// offsets.
     pub fn new(skeleton: &Skeleton, frames: &[Frame], representation: Representation) -> InbetweenClip {
         let joints = skeleton.joints();
         let mut turning = 0;

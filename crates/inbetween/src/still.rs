@@ -13,8 +13,8 @@ const ROTATION: f32 = 0.0005;
 /// A position may be off by so many times the skeleton's extent.
 const POSITION: f32 = 1e-6;
 
-/// For each frame the number of the stretch that it belongs to. All frames of a stretch are as its first one, within the
-/// tolerances above.
+/// For each frame the number of the stretch that it belongs to. All frames of a stretch are as its first one, within
+/// the tolerances above.
 pub(crate) fn stretches(clip: &InbetweenClip) -> Vec<usize> {
     let extent = clip.skeleton.extent();
     let tolerance = if extent.is_finite() { extent * POSITION } else { 0.0 };

@@ -6,8 +6,8 @@ use skeleton::{Clip, Pose, Skeleton};
 use crate::gap::Gap;
 use crate::{InbetweenClip, Way};
 
-/// Memory that is used again from one pose to the next. It may serve any clips in turn; it serves frames of the same gap, one
-/// after the other, best.
+/// Memory that is used again from one pose to the next. It may serve any clips in turn; it serves frames of the same
+/// gap, one after the other, best.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     gap: Gap,
@@ -40,9 +40,9 @@ impl InbetweenClip {
         &self.tips.originals[first..first + self.tips.ids.len()]
     }
 
-    /// Where the tips are in `frame` when it is interpolated between the keyframes `start` and `end`, in the order of the
-    /// joints: where [`between`](Clip::between) puts them. Takes no new memory when the same `scratch` has served before. Empty
-    /// for a motion without frames.
+    /// Where the tips are in `frame` when it is interpolated between the keyframes `start` and `end`, in the order of
+    /// the joints: where [`between`](Clip::between) puts them. Takes no new memory when the same `scratch` has served
+    /// before. Empty for a motion without frames.
     pub fn tips_between<'a>(
         &'a self,
         start: usize,

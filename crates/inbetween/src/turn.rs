@@ -79,8 +79,8 @@ impl Turn {
         let dot = from.dot(to);
         let (to, cosine) = if dot < 0.0 { (-to, -dot) } else { (to, dot) };
         let angle = cosine.min(1.0).acos();
-        // With θ for the angle and r(x) for sin(x) / x, the share of `to` is sin(t θ) / sin θ = t r(t θ) / r(θ), which is
-        // no division by nearly 0 where θ is nearly 0. What all frames divide by is taken out here.
+        // With θ for the angle and r(x) for sin(x) / x, the share of `to` is sin(t θ) / sin θ = t r(t θ) / r(θ),
+        // which is no division by nearly 0 where θ is nearly 0. What all frames divide by is taken out here.
         let ratio = sine_ratio(Vec4::splat(angle * angle)).x;
         Turn::Arc { from: from / ratio, to: to / ratio, square: angle * angle }
     }

@@ -76,8 +76,10 @@ fn numbers_that_are_none_stand_still_only_when_they_stay_the_same() {
         }
     }
     let mut endless = Skeleton::new();
-    endless.add_joint(None, "root", Vec3::splat(f32::INFINITY), [Channel::Position(Axis::X)]).unwrap();
-    let frame = |x| Frame { angles: vec![], local_positions: vec![Vec3::new(x, 0.0, 0.0)] };
+    let root = endless.add_joint(None, "root", Vec3::ZERO, [Channel::Position(Axis::X)]).unwrap();
+    endless.add_end_site(root, "End Site", Vec3::splat(f32::INFINITY)).unwrap();
+    assert_eq!(endless.extent(), f32::INFINITY);
+    let frame = |x| Frame { angles: vec![], local_positions: vec![Vec3::new(x, 0.0, 0.0); 2] };
     assert!(!InbetweenClip::new(&endless, &[frame(0.0), frame(1.0)], Representation::Euler).is_still(0, 1));
 }
 

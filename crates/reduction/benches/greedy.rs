@@ -1,15 +1,16 @@
-//! How long it takes to reduce a motion to keyframes, for motions of different lengths and next to the naive algorithm, in the
-//! same run.
+//! How long it takes to reduce a motion to keyframes, for motions of different lengths and next to the naive
+//! algorithm, in the same run.
 //!
-//! `cargo bench -p reduction --bench greedy` prints milliseconds and ratios, medians of interleaved rounds. Short reductions are
-//! repeated until they take about as long as those that they are compared with, so that whatever else a machine does slows all
-//! of them down alike. It fails when the time grows clearly faster than n log n with the number n of frames, when the naive
-//! algorithm is not far behind, or when a motion that stands still is not nearly free.
+//! `cargo bench -p reduction --bench greedy` prints milliseconds and ratios, medians of interleaved rounds. Short
+//! reductions are repeated until they take about as long as those that they are compared with, so that whatever else
+//! a machine does slows all of them down alike. It fails when the time grows clearly faster than n log n with the
+//! number n of frames, when the naive algorithm is not far behind, or when a motion that stands still is not nearly
+//! free.
 //!
-//! The motion is that of `data/running.bvh`. Longer ones play it back and forth: that is as much movement in a second as in the
-//! original, as in a longer recording, which resampling it would not be. The naive algorithm looks at the costs of all removals
-//! after each one. For that it poses the gap that would come of each, as fast as the other algorithm poses; the errors of the gaps
-//! that are there, which it also needs, it remembers.
+//! The motion is that of `data/running.bvh`. Longer ones play it back and forth: that is as much movement in a second
+//! as in the original, as in a longer recording, which resampling it would not be. The naive algorithm looks at the
+//! costs of all removals after each one. For that it poses the gap that would come of each, as fast as the other
+//! algorithm poses; the errors of the gaps that are there, which it also needs, it remembers.
 #![allow(clippy::unwrap_used)]
 
 use std::hint::black_box;
@@ -22,7 +23,8 @@ use skeleton::{Frame, Representation};
 const ROUNDS: usize = 9;
 const SIZES: [usize; 5] = [500, 1_000, 2_000, 4_000, 8_000];
 const COUNT: usize = 20;
-/// From the smallest size to the largest the time may grow like this power of the number of frames. n log n grows like 1.13.
+/// From the smallest size to the largest the time may grow like this power of the number of frames. n log n grows
+/// like 1.13.
 const STEEPEST: f64 = 1.35;
 /// The naive algorithm takes at least so many times as long.
 const NAIVE: f64 = 60.0;

@@ -42,8 +42,9 @@ impl Errors {
         &self.clip
     }
 
-    /// How far `frame` is off when it is interpolated between the keyframes `start` and `end`: the sum over all tips of the
-    /// squared distance. 0 for a keyframe itself. Not a number unless `start` ≤ `frame` ≤ `end`, all three in the motion.
+    /// How far `frame` is off when it is interpolated between the keyframes `start` and `end`: the sum over all tips
+    /// of the squared distance. 0 for a keyframe itself. Not a number unless `start` ≤ `frame` ≤ `end`, all three in
+    /// the motion.
     pub fn of_frame(&self, start: usize, end: usize, frame: usize) -> f64 {
         if end >= self.frame_count() || frame < start || end < frame {
             return f64::NAN;
@@ -54,19 +55,21 @@ impl Errors {
         self.memory.borrow_mut().posed(&self.clip, start, end, frame)
     }
 
-    /// The sum of the errors of all frames between the keyframes `start` and `end`. Not a number unless `start` ≤ `end`, both
-    /// in the motion.
+    /// The sum of the errors of all frames between the keyframes `start` and `end`. Not a number unless `start` ≤
+    /// `end`, both in the motion.
     pub fn of_gap(&self, start: usize, end: usize) -> f64 {
+        // No sum is more than infinite.
         self.of_gap_up_to(start, end, f64::INFINITY).unwrap_or(f64::INFINITY)
     }
 
-    /// By how much the error grows when the keyframe `frame` is removed while `before` and `after` are those next to it.
+    /// By how much the error grows when the keyframe `frame` is removed while `before` and `after` are those next to
+    /// it.
     pub fn cost(&self, before: usize, frame: usize, after: usize) -> f64 {
         self.of_gap(before, after) - self.of_gap(before, frame) - self.of_gap(frame, after)
     }
 
-    /// The accumulated error of a whole reduction. Not a number unless these are keyframes from the first frame to the last,
-    /// in ascending order.
+    /// The accumulated error of a whole reduction. Not a number unless these are keyframes from the first frame to
+    /// the last, in ascending order.
     pub fn of_keyframes(&self, keyframes: &[usize]) -> f64 {
         let last = self.frame_count().checked_sub(1);
         let is_whole = keyframes.first().copied() == last.map(|_| 0)

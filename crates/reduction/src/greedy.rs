@@ -22,16 +22,16 @@ pub fn greedy(errors: &Errors, count: usize) -> Vec<usize> {
 pub struct Curve {
     /// The keyframes in the order in which they are removed.
     pub removed: Vec<usize>,
-    /// `errors[n]` is the accumulated error when `n` frames are interpolated: the first `n` of `removed`. `errors[0]` is 0, and there is
-    /// one more of them than of `removed`. It falls where interpolating one more frame happens to bring others closer to where
-    /// they were.
+    /// `errors[n]` is the accumulated error when `n` frames are interpolated: the first `n` of `removed`. `errors[0]`
+    /// is 0, and there is one more of them than of `removed`. It falls where interpolating one more frame happens to
+    /// bring others closer to where they were.
     pub errors: Vec<f64>,
 }
 
 /// Removes keyframes until `count` are left, and tells what is left of the motion after each removal.
 ///
-/// `progress` is told after every removal how many there have been, and how many there are to be. When it breaks, the curve ends
-/// there.
+/// `progress` is told after every removal how many there have been, and how many there are to be. When it breaks, the
+/// curve ends there.
 pub fn curve(
     errors: &Errors,
     count: usize,
@@ -51,9 +51,10 @@ pub fn curve(
 
 /// Tells `removed` of one removal after the other, until `count` keyframes are left or it breaks.
 ///
-/// What costs nothing goes first. Up to then no gap has an error, so that no cost is negative, and nothing matters about a cost
-/// but whether it is 0. Mostly one pose shows that it is not. The exact cost would be posed for nothing, again and again: where
-/// a motion stops and then stands still, for the frame where it stops, whenever the frame behind is removed.
+/// What costs nothing goes first. Up to then no gap has an error, so that no cost is negative, and nothing matters
+/// about a cost but whether it is 0. Mostly one pose shows that it is not. The exact cost would be posed for nothing,
+/// again and again: where a motion stops and then stands still, for the frame where it stops, whenever the frame
+/// behind is removed.
 fn remove(errors: &Errors, count: usize, removed: &mut dyn FnMut(Removal) -> ControlFlow<()>) {
     let frame_count = errors.frame_count();
     let surplus = frame_count.saturating_sub(count.max(2));

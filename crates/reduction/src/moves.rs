@@ -4,18 +4,20 @@ use std::ops::ControlFlow;
 
 use crate::Errors;
 
-/// A move must make the error of the two gaps around a keyframe smaller by more than this part of it: what is less is rounding.
+/// A move must make the error of the two gaps around a keyframe smaller by more than this part of it: what is less is
+/// rounding.
 const LEAST_GAIN: f64 = 1e-9;
 
-/// Moves each keyframe between the first and the last one to the best place between its neighbours, again and again, until no
-/// single move helps. Of several best places the earliest is taken. Each move makes the error smaller, so that it ends.
+/// Moves each keyframe between the first and the last one to the best place between its neighbours, again and again,
+/// until no single move helps. Of several best places the earliest is taken. Each move makes the error smaller, so
+/// that it ends.
 ///
-/// `keyframes` may come in any order. Those that the motion does not have are left out, and the first and the last frame are
-/// added.
+/// `keyframes` may come in any order. Those that the motion does not have are left out, and the first and the last
+/// frame are added.
 ///
-/// `progress` is told how many keyframes are in their best place, as far as is known, and how many there are to be moved; the
-/// first number falls when a move leaves its neighbours to be looked at again. When it breaks, the keyframes are left as they are
-/// then.
+/// `progress` is told how many keyframes are in their best place, as far as is known, and how many there are to be
+/// moved; the first number falls when a move leaves its neighbours to be looked at again. When it breaks, the
+/// keyframes are left as they are then.
 pub fn local_moves(
     errors: &Errors,
     keyframes: &[usize],

@@ -18,18 +18,19 @@ pub struct Optimum {
     pub cap: Option<usize>,
 }
 
-/// The `count` keyframes with the least error of all, by dynamic programming: the shortest way from the first frame to the last
-/// over exactly so many, where the length of a step is the error of its gap.
+/// The `count` keyframes with the least error of all, by dynamic programming: the shortest way from the first frame
+/// to the last over exactly so many, where the length of a step is the error of its gap.
 ///
-/// `cap` is the longest gap that may be between two keyframes, counted from one to the other. Then the result is the best of all
-/// reductions that keep to it; without it, the best of all.
+/// `cap` is the longest gap that may be between two keyframes, counted from one to the other. Then the result is the
+/// best of all reductions that keep to it; without it, the best of all.
 ///
-/// A gap is not posed to its end once it is worse than a whole reduction that is known. How much work that saves depends on the
-/// motion: at least it grows with the frames times `cap`, or, without, with the square of the frames. It takes memory for a few
-/// numbers for each frame and keyframe, so that it is not for motions of tens of thousands of frames.
+/// A gap is not posed to its end once it is worse than a whole reduction that is known. How much work that saves
+/// depends on the motion: at least it grows with the frames times `cap`, or, without, with the square of the frames.
+/// It takes memory for a few numbers for each frame and keyframe, so that it is not for motions of tens of thousands
+/// of frames.
 ///
-/// `progress` is told how many frames have been reached, and how many there are to be reached. `None` when it breaks, and when
-/// no reduction keeps to `cap`.
+/// `progress` is told how many frames have been reached, and how many there are to be reached. `None` when it breaks,
+/// and when no reduction keeps to `cap`.
 pub fn optimum(
     errors: &Errors,
     count: usize,
@@ -49,7 +50,7 @@ pub fn optimum(
     for end in 1..frame_count {
         let mut to_end = Ways::none(steps(end));
         for (start, from) in ways.iter().enumerate().skip(end.saturating_sub(longest)) {
-            let Some(gap) = errors.of_gap_up_to(start, end, enough - from.least()) else { continue };
+            let Some(gap) = errors.of_gap_up_to(start, end, enough) else { continue };
             to_end.extend(from, start, if gap.is_nan() { f64::INFINITY } else { gap });
         }
         ways.push(to_end);
@@ -67,8 +68,8 @@ pub fn optimum(
     Some(Optimum { error: errors.of_keyframes(&keyframes), keyframes, cap })
 }
 
-/// The error of some good reduction whose gaps are at most `longest`, infinite when none is a number; `None` when there is no such
-/// reduction, or `progress` breaks.
+/// The error of some good reduction whose gaps are at most `longest`, infinite when none is a number; `None` when
+/// there is no such reduction, or `progress` breaks.
 fn known(
     errors: &Errors,
     count: usize,
@@ -129,10 +130,6 @@ impl Ways {
                 self.before[new] = start;
             }
         }
-    }
-
-    fn least(&self) -> f64 {
-        self.errors.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     fn before(&self, steps: usize) -> Option<usize> {

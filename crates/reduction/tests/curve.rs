@@ -26,7 +26,8 @@ fn the_curve_of_the_dance_rises() {
     for errors in both(&dance()) {
         let curve = curve(&errors, 2, &mut go_on);
         let falls = curve.errors.windows(2).filter(|two| two[1] < two[0]).count();
-        // Interpolating one more frame may bring others closer to where they were: a growth may be negative, once in a while.
+        // Interpolating one more frame may bring others closer to where they were: a growth may be negative, once in
+        // a while.
         assert!(falls <= 3, "{falls}");
         let quarters: Vec<f64> = curve.errors.iter().copied().step_by(139 / 4).collect();
         assert!(quarters.is_sorted_by(|a, b| a < b), "{quarters:?}");

@@ -5,10 +5,11 @@ mod support;
 
 use std::cell::Cell;
 
-use reduction::{Errors, greedy};
-use skeleton::RemovalCosts;
+use glam::Vec3;
+use reduction::{Errors, greedy, local_moves, optimum};
+use skeleton::{Axis, Channel, Frame, RemovalCosts, Representation, Skeleton};
 use solutions::keyframes::{Removals, reduce};
-use support::{both, dance, dance_with_a_pause, noisy, running, still};
+use support::{both, dance, dance_with_a_pause, go_on, noisy, posed_gap, running, still};
 
 #[test]
 fn the_runner_takes_at_most_thirty_thousand_poses() {
@@ -27,6 +28,7 @@ fn a_still_motion_takes_no_pose() {
     for frames in [still(&frames[60], 5_508), noisy(&frames[60], 5_508)] {
         for errors in both(&(skeleton.clone(), frames)) {
             greedy(&errors, 2);
+            assert_eq!(errors.of_frame(0, 5_507, 100), 0.0);
             assert_eq!(errors.poses(), 0);
         }
     }
@@ -44,8 +46,9 @@ fn standing_still_takes_few_poses_wherever_a_motion_does_it() {
         for (errors, without) in both(&(skeleton.clone(), paused)).into_iter().zip(both(&dance())) {
             greedy(&errors, 40);
             greedy(&without, 40);
-            // The pause itself is removed for nothing, or for a look at the frame before it each time. After that, a few gaps over
-            // all of it are posed. Posing the gap before it again and again would take 12 million poses.
+            // The pause itself is removed for nothing, or for a look at the frame before it each time. After that, a
+            // few gaps over all of it are posed. Posing the gap before it again and again would take 12 million
+            // poses.
             let more = errors.poses() - without.poses();
             assert!(more < 5 * PAUSE as u64, "{place}: {more}");
         }
@@ -62,8 +65,8 @@ fn a_removal_asks_for_two_costs() {
         };
         let frames = errors.frame_count();
         assert_eq!(Removals::new(frames, &RemovalCosts::new(&cost)).count(), frames - 2);
-        // One for each frame at first, and those of both neighbours, as far as these can be removed, after each removal. A heap of
-        // so many does about n log n steps.
+        // One for each frame at first, and those of both neighbours, as far as these can be removed, after each
+        // removal. A heap of so many does about n log n steps.
         assert!((frames..=3 * frames).contains(&asked.get()), "{name}: {} {frames}", asked.get());
     }
 }
@@ -88,6 +91,59 @@ fn nothing_is_posed_when_all_frames_stay() {
         greedy(&errors, 141);
         assert_eq!(errors.poses(), 0);
     }
+}
+
+#[test]
+fn exact_costs_are_not_posed_when_enough_goes_for_nothing() {
+    for errors in both(&dance_with_a_pause(1_000)) {
+        assert_eq!(greedy(&errors, 1_000).len(), 1_000);
+        // One for each frame that moves, and one for the frame before the pause after each removal.
+        assert!(errors.poses() <= 140 + 140 + 4, "{}", errors.poses());
+    }
+}
+
+#[test]
+fn what_is_remembered_does_not_depend_on_why_it_was_posed() {
+    for errors in both(&dance()) {
+        let moved = local_moves(&errors, &[20, 40, 60, 100], &mut go_on);
+        optimum(&errors, 10, None, &mut go_on);
+        for start in 0..140 {
+            for end in start + 1..141.min(start + 25) {
+                assert_eq!(errors.of_gap(start, end), posed_gap(&errors, start, end), "{start} {end}");
+            }
+        }
+        assert_eq!(
+            errors.of_keyframes(&moved),
+            moved.windows(2).fold(0.0, |sum, gap| sum + posed_gap(&errors, gap[0], gap[1]))
+        );
+    }
+}
+
+#[test]
+fn what_is_remembered_is_bounded() {
+    let mut skeleton = Skeleton::new();
+    let root = skeleton.add_joint(None, "root", Vec3::ZERO, [Channel::Rotation(Axis::X)]).unwrap();
+    skeleton.add_end_site(root, "End Site", Vec3::Y).unwrap();
+    let frame = |index: u32| Frame {
+        angles: vec![(index.pow(2) % 977) as f32, 0.0, 0.0],
+        local_positions: vec![Vec3::ZERO, Vec3::Y],
+    };
+    let frames: Vec<Frame> = (0..60_000).map(frame).collect();
+    let errors = Errors::new(&skeleton, &frames, Representation::Quaternion);
+    let again = |start, end| {
+        let poses = errors.poses();
+        (errors.of_gap(start, end), errors.poses() - poses)
+    };
+    let first = errors.of_gap(0, 2);
+    assert_eq!(again(0, 2), (first, 0));
+    for start in 0..59_980 {
+        for length in 2..11 {
+            errors.of_gap(start, start + length);
+        }
+    }
+    // Half a million gaps later this one is forgotten, and is what it was.
+    assert_eq!(again(0, 2), (first, 1));
+    assert_eq!(again(0, 2), (first, 0));
 }
 
 fn motions_of_all_kinds() -> Vec<(&'static str, Errors)> {

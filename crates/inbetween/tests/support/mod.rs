@@ -10,8 +10,8 @@ pub fn frames(motion: &Motion) -> Vec<Frame> {
     (0..motion.frame_count()).map(|index| motion.frame(index)).collect()
 }
 
-/// Joints of all rotation orders and of none, with position channels or without, below any joint before them or below none;
-/// End Sites below some.
+/// Joints of all rotation orders and of none, with position channels or without, below any joint before them or below
+/// none; End Sites below some.
 pub fn motion(frames: std::ops::Range<usize>) -> impl Strategy<Value = Motion> {
     let place = prop::array::uniform3(-5.0_f32..5.0).prop_map(Vec3::from);
     let axes = prop::sample::select(&Axis::ALL[..]).prop_map(Some);

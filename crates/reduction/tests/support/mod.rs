@@ -108,8 +108,8 @@ pub fn still(frame: &Frame, count: usize) -> Vec<Frame> {
     vec![frame.clone(); count]
 }
 
-/// `count` times the same frame, but for the last digit that an `f32` has. Every seventh angle stands at the end of a full turn,
-/// on either side of it.
+/// `count` times the same frame, but for the last digit that an `f32` has. Every seventh angle stands at the end of a
+/// full turn, on either side of it.
 pub fn noisy(frame: &Frame, count: usize) -> Vec<Frame> {
     let mut state = 1_u32;
     let mut chance = move || {
