@@ -73,7 +73,7 @@ fn draw(
         true => (lowest - 0.1, largest.log10() + 0.2),
         false => (0.0, 1.0),
     };
-    let titles = [&*frames, "the same in squared file units, logarithmic"];
+    let titles = [&*frames, "squared file units, logarithmic"];
     Panel { curves: shown, ground, top, titles, label: power, has_legend: false }.draw(&lower)?;
     area.present()?;
     Ok(())

@@ -16,7 +16,7 @@ const LEAST_MISFIT: f64 = 0.01;
 /// A motion with interpolated frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduced {
-    /// The motion. Angles may jump by whole turns where a keyframe's own numbers begin or end.
+    /// The motion. At a keyframe, which keeps its own numbers, angles may jump, mostly by whole turns.
     pub motion: Motion,
     /// The joints whose channels cannot hold all of their interpolated rotations, in the order of the joints: only such with
     /// one or two rotation channels, and only when quaternions are interpolated. The nearest rotations are there instead.

@@ -120,6 +120,19 @@ proptest! {
     }
 }
 
+/// A quarter turn about Z is as far from all turns about X and Y by the same angle, and by angles a full turn apart.
+#[test]
+fn of_angles_that_come_equally_close_those_nearby_are_taken() {
+    let quarter = Quat::from_axis_angle(Axis::Z.unit(), std::f32::consts::FRAC_PI_2);
+    let cases = [([100.0, 20.0], [60.0, 60.0]), ([200.0, 0.0], [280.0, -80.0])];
+    for (near, expected) in cases {
+        let found = angles_of(quarter, &[Axis::X, Axis::Y], [near[0], near[1], 0.0]);
+        let close = (found[0] - expected[0]).abs() < 1e-3 && (found[1] - expected[1]).abs() < 1e-3;
+        assert!(close, "{found:?} near {near:?}");
+    }
+    assert_eq!(angles_of(quarter * quarter, &[Axis::X], [77.0, 0.0, 0.0])[0].round(), 77.0);
+}
+
 #[test]
 fn the_distance_is_that_of_a_known_turn() {
     let quarter = Quat::from_axis_angle(Axis::X.unit(), std::f32::consts::FRAC_PI_2);

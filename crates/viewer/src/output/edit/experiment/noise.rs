@@ -22,14 +22,12 @@ pub fn table(clips: &[(&Clip, &[usize])]) -> String {
         let fewest = counts.iter().copied().min().unwrap_or(2);
         let all: Vec<Clip> =
             (0..TRIALS).map(|trial| Clip::new(clip.name, with_noise(&clip.motion, trial))).collect();
-        for (at, errors) in clip.errors.iter().enumerate() {
-            let curves = all
-                .iter()
-                .map(|clip| curve(&clip.errors[at], fewest, &mut |_, _| ControlFlow::Continue(())).errors);
-            let curves: Vec<Vec<f64>> = curves.collect();
-            for count in *counts {
-                let interpolated = clip.motion.frame_count().saturating_sub(*count);
-                let ends = curves.iter().filter_map(|curve| curve.get(interpolated).copied());
+        let down = |errors| curve(errors, fewest, &mut |_, _| ControlFlow::Continue(())).errors;
+        let curves: Vec<[Vec<f64>; 2]> = all.iter().map(|clip| clip.errors.each_ref().map(down)).collect();
+        for count in *counts {
+            let interpolated = clip.motion.frame_count().saturating_sub(*count);
+            for (at, errors) in clip.errors.iter().enumerate() {
+                let ends = curves.iter().filter_map(|curves| curves[at].get(interpolated).copied());
                 let (least, largest) = ends.fold((f64::INFINITY, 0.0_f64), |(least, largest), error| {
                     (least.min(error), largest.max(error))
                 });

@@ -185,6 +185,33 @@ proptest! {
         }
     }
 
+    /// Over a long gap angles are close to those of the frame before, however far that is from the keyframes: they change
+    /// faster than the joint turns only where the middle angle makes them.
+    #[test]
+    fn angles_go_on_from_the_frame_before(
+        order in prop::sample::select(skeleton::RotationOrder::ROTATING.to_vec()),
+        from in [-400.0f32..400.0, -400.0..400.0, -400.0..400.0],
+        to in [-400.0f32..400.0, -400.0..400.0, -400.0..400.0],
+    ) {
+        const FRAMES: usize = 300;
+        let mut skeleton = Skeleton::new();
+        skeleton.add_joint(None, "r", Vec3::ZERO, order.axes().unwrap().map(Channel::Rotation)).unwrap();
+        let mut values = from.to_vec();
+        values.resize(3 * (FRAMES - 1), 0.0);
+        values.extend(to);
+        let motion = Motion::new(skeleton, FRAMES, 0.1, values).unwrap();
+        let written = made(&motion, &[0, FRAMES - 1], Representation::Quaternion).motion;
+        for frame in 1..FRAMES - 1 {
+            let [before, now] = [frame - 1, frame].map(|frame| written.row(frame).unwrap());
+            let slope = before[1].to_radians().cos().abs().min(now[1].to_radians().cos().abs());
+            // At most half a turn in all these frames, and so much more as the slope says.
+            let most = 2.0 * 180.0 / FRAMES as f32 / slope.max(1e-3) + 0.01;
+            for (before, now) in before.iter().zip(now) {
+                prop_assert!((now - before).abs() <= most, "frame {frame}: from {before} to {now}, slope {slope}");
+            }
+        }
+    }
+
     /// From one frame to the next an angle never goes more than half a turn, but to a keyframe, whose numbers are its own.
     #[test]
     fn between_keyframes_no_angle_jumps(
