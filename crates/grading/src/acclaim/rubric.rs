@@ -34,7 +34,7 @@ pub static RUBRIC: Rubric = Rubric {
             id: "part3",
             function: "visit_bones",
             title: "all bones",
-            like_template: "the one bone, and nothing that hangs on it",
+            like_template: "nothing, and visits no other bone than the one it is given",
             checks: &[
                 check("chain", 1, "a chain of bones"),
                 check("siblings", 2, "several bones on one"),
