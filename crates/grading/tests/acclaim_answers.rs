@@ -320,6 +320,7 @@ mod the_whole_motion {
             [
                 "Its parent, thorax, is in its place: look at what becomes of lclavicle.",
                 "In this frame 3 of 18 bones are off.",
+                "Frame 0 is the rest pose, in which all angles are zero.",
             ]
         );
     }

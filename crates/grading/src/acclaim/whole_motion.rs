@@ -91,9 +91,10 @@ impl RightPlaces {
             details.push(format!("Yours is at the origin and not turned: is {} ever visited?", bone.name));
         }
         details.push(format!("In this frame {others} of {} bones are off.", self.skeleton.len()));
-        if frame > 0 {
-            details.push("In frame 0, the rest pose, all bones are in their places.".to_owned());
-        }
+        details.push(match frame {
+            0 => "Frame 0 is the rest pose, in which all angles are zero.".to_owned(),
+            _ => "In frame 0, the rest pose, all bones are in their places.".to_owned(),
+        });
         let summary = format!(
             "With your three functions together, the first bone that is off is {} in frame {frame}: {how}.",
             bone.name

@@ -204,8 +204,8 @@ fn about_order() -> Vec<Misconception> {
         Misconception {
             id: "xyz_order",
             title: "You multiply the three rotations in the order X, Y, Z.",
-            explanation: "Then Z happens first. In these files X happens first, and in a product the right factor does. Joints in \
-                          other files often are the other way round: there the order in the file is that of the product.",
+            explanation: "Then Z happens first. In Acclaim files X does, and in a product the right factor happens first. In BVH \
+                          files it is the other way round: there the axis that is listed first is the factor on the left.",
             hint: "Which of the three factors should stand on the right?",
             seen_in: ANGLES,
             costs: ROOT_AND_ANGLES,

@@ -53,8 +53,18 @@ fn draft(dice: &mut Dice, skeleton: &Skeleton, check: &str, (name, is_moved): Wa
             input("translation", format!("{} (file's unit)", vector(translation))),
         ],
         difference: if check == "start" { compare::start } else { compare::end },
-        group: Some(if bone.is_root() { "the root, which has no length" } else { "bones" }.to_owned()),
+        group: Some(group(check, bone, is_moved).to_owned()),
         size: skeleton.extent(),
+    }
+}
+
+/// What wrong answers can have in common.
+fn group(check: &str, bone: &Bone, is_moved: bool) -> &'static str {
+    match (check, bone.is_root(), is_moved) {
+        ("start", _, true) => "bones with a translation",
+        ("start", _, false) => "bones without a translation",
+        (_, true, _) => "the root, which has no length",
+        (_, false, _) => "bones with a length",
     }
 }
 
