@@ -50,7 +50,8 @@ pub fn bone_rotation(bone: &Bone, angles: [f32; 3], parent: Quat) -> Quat {
 /// **Out:** the start and the end, in the world, in the file's unit.
 ///
 /// A bone starts where its parent ends. From there it goes `bone.length` along `bone.local_direction`, which is a direction
-/// in the bone's own axes. (`bone.direction` is the same one in the world's axes, as long as nothing has moved.)
+/// in the bone's own axes. (`bone.direction` is the same one in the world's axes, as long as nothing has moved.) The root has
+/// no length: its `length` and both directions are zero.
 ///
 /// **Example.** The parent ends at (10, 0, 0). The bone is 2 long, points along its own X axis, and is turned a quarter
 /// about Z. It starts at (10, 0, 0) and ends at (10, 2, 0).
@@ -69,14 +70,14 @@ pub fn bone_ends(bone: &Bone, rotation: Quat, parent_end: Vec3, translation: Vec
 /// 2, and needs the bone's parent to be visited before.
 ///
 /// **Out:** nothing. When the function is done, the bone and everything that hangs on it, however far down, has been visited
-/// once.
+/// once, and nothing else. A parent comes before its children. In which order siblings come makes no difference.
 ///
 /// `bone.child` is the first of the bones that hang on a bone, and `sibling` of that one is the next; both are
 /// `Some(id)` or `None`, and `skeleton[id]` is the bone. The function may call itself. The program calls it with the
-/// root.
+/// root, and with other bones too when it checks this part.
 ///
-/// **Example.** On the root hang `lfemur` and `lowerback`, and on `lfemur` hangs `ltibia`. The bones are visited in the
-/// order root, lfemur, ltibia, lowerback.
+/// **Example.** On the root hang `lfemur` and `lowerback`, and on `lfemur` hangs `ltibia`. Called with the root, the function
+/// can visit the bones in the order root, lfemur, ltibia, lowerback. Called with `lfemur`, it visits lfemur and ltibia.
 pub fn visit_bones(skeleton: &Skeleton, bone: &Bone, visitor: &mut Visitor) {
     // solution-begin
     visitor.visit(bone);

@@ -115,7 +115,11 @@ fn places(skeleton: &Skeleton, posture: &Posture, functions: &AcclaimFunctions) 
         let translation = posture.translations.get(id).copied().unwrap_or_default();
         // The root starts and ends where its translation says. Everything else hangs on its parent.
         let (parent, parent_end, translation) = match bone.parent {
-            Some(parent) => (places[parent.0].rotation, places[parent.0].end, translation),
+            Some(parent) => {
+                // A bone that somebody has made up can have any parent.
+                let parent = places.get(parent.0).unwrap_or(&BonePlace::ORIGIN);
+                (parent.rotation, parent.end, translation)
+            }
             None => (Quat::IDENTITY, translation, Vec3::ZERO),
         };
         let rotation = (functions.bone_rotation)(bone, angles, parent);

@@ -1,19 +1,14 @@
 //! Grading the exercise on Acclaim forward kinematics.
 
+mod compare;
+mod figure;
+mod misconceptions;
+mod paper;
 mod rubric;
+mod variants;
+mod whole_motion;
 
+pub use misconceptions::{accepted, misconceptions};
+pub use paper::exam;
 pub use rubric::RUBRIC;
-
-use crate::{Exam, Misconception, Reference};
-
-/// The exam on Acclaim forward kinematics. The same seed gives the same questions.
-pub fn exam(seed: u64, reference: &dyn Reference) -> Exam {
-    let _ = (seed, reference);
-    todo!()
-}
-
-/// The misconceptions of one part.
-pub fn misconceptions(part: &str) -> Vec<Misconception> {
-    let _ = part;
-    Vec::new()
-}
+pub use variants::TEMPLATE;

@@ -14,7 +14,7 @@ pub static RUBRIC: Rubric = Rubric {
             title: "bone rotation",
             like_template: "no rotation, whatever the angles",
             checks: &[
-                check("root", 1, "the root"),
+                check("root", 1, "the root, whose parent is the world"),
                 check("angles", 2, "a bone's three angles, in the order Z, Y, X"),
                 check("rest", 2, "axes that are turned against the parent's at rest"),
             ],
@@ -27,14 +27,14 @@ pub static RUBRIC: Rubric = Rubric {
             checks: &[
                 check("start", 1, "the start is the parent's end"),
                 check("end", 3, "the end: length, direction and rotation"),
-                check("translation", 1, "an end that is moved"),
+                check("translation", 1, "an end that a translation moves"),
             ],
         },
         PartRubric {
             id: "part3",
             function: "visit_bones",
             title: "all bones",
-            like_template: "the one bone, and nothing that hangs on it",
+            like_template: "nothing, and visits no other bone than the one it is given",
             checks: &[
                 check("chain", 1, "a chain of bones"),
                 check("siblings", 2, "several bones on one"),
