@@ -31,7 +31,8 @@ pub enum Question {
         /// How many frames the new one is to have.
         new_count: usize,
     },
-    /// Part 3 by itself, for long motions.
+    /// Part 3 by itself, for long motions. The answer is as long as is asked for: whoever asks chooses how much memory it
+    /// takes, and [`Question::Warp`] takes twice as much.
     Motion {
         /// The old motion.
         postures: Vec<Posture>,
@@ -51,7 +52,7 @@ pub enum Answer {
     Warp {
         /// By part 3.
         postures: Vec<Posture>,
-        /// Frame by frame by the student's own parts 1 and 2; nothing where part 1 names frames that are not there.
+        /// Frame by frame by the student's own parts 1 and 2; nothing where part 1 names a frame that is not there.
         by_parts: Option<Vec<Posture>>,
     },
     /// The new motion.
@@ -76,22 +77,22 @@ impl Question {
         }
     }
 
-    /// More bytes than any honest answer to this question takes on the wire.
+    /// More bytes than any honest answer to this question takes on the wire, and no more than can be sent.
     pub(crate) fn answer_limit(&self) -> usize {
         // Three angles and three translations of 4 bytes.
         const PER_BONE: usize = 24;
         let bones = |posture: &Posture| posture.angles.len().max(posture.translations.len()) + 1;
+        let motion = |postures: &[Posture], new_count: usize| {
+            new_count.saturating_mul(postures.iter().map(bones).max().unwrap_or(1))
+        };
         let all = match self {
             Question::Position { .. } => 1,
             Question::Blend { from, to, .. } => bones(from).max(bones(to)),
-            Question::Warp { postures, new_count } => {
-                2 * new_count.saturating_mul(postures.first().map_or(1, bones))
-            }
-            Question::Motion { postures, new_count } => {
-                new_count.saturating_mul(postures.first().map_or(1, bones))
-            }
+            Question::Warp { postures, new_count } => motion(postures, *new_count).saturating_mul(2),
+            Question::Motion { postures, new_count } => motion(postures, *new_count),
         };
-        all.saturating_mul(PER_BONE).saturating_add(1024)
+        // A message's length is written in four bytes.
+        all.saturating_mul(PER_BONE).saturating_add(1024).min(u32::MAX as usize)
     }
 }
 
@@ -105,4 +106,56 @@ fn by_parts(functions: &TimeWarpFunctions, postures: &[Posture], new_count: usiz
         Some((functions.blend)(postures.get(before)?, postures.get(after)?, t))
     };
     (0..new_count).map(posture).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+    use crate::wire::{self, Reply};
+
+    /// The largest numbers that travel, and the smallest counts beside them.
+    fn posture(bones: usize) -> Posture {
+        Posture { angles: vec![[f32::MIN; 3]; bones], translations: vec![Vec3::MAX; bones] }
+    }
+
+    /// As much as can be answered: a list for every list that was sent.
+    const FULL: TimeWarpFunctions = TimeWarpFunctions {
+        old_position: |_, old_count, _| Between { before: old_count - 1, after: old_count - 1, t: -1e-30 },
+        blend: |from, to, _| if from.angles.len() > to.angles.len() { from.clone() } else { to.clone() },
+        warp: |postures, new_count| (0..new_count).map(|_| postures[postures.len() - 1].clone()).collect(),
+    };
+
+    #[test]
+    fn no_honest_answer_is_too_long() {
+        let mut questions = vec![Question::Position { new_frame: 0, old_count: usize::MAX, new_count: 1 }];
+        for bones in [0, 1, 40, 200] {
+            questions.push(Question::Blend { from: posture(bones), to: posture(bones / 2), t: 0.5 });
+            for new_count in [0, 1, 300] {
+                let postures = vec![posture(bones); 3];
+                questions.push(Question::Warp { postures: postures.clone(), new_count });
+                questions.push(Question::Motion { postures, new_count });
+            }
+        }
+        for question in questions {
+            let answer = crate::Answer::TimeWarp(question.ask(&FULL));
+            let bytes = wire::to_bytes(&Reply::Answered(answer)).unwrap().len();
+            let limit = question.answer_limit();
+            assert!(bytes <= limit, "{bytes} bytes, at most {limit}");
+        }
+    }
+
+    #[test]
+    fn the_limit_of_an_endless_motion_can_still_be_added_to() {
+        for new_count in [usize::MAX, usize::MAX / 2, 1 << 40] {
+            let postures = vec![posture(3)];
+            for question in [
+                Question::Warp { postures: postures.clone(), new_count },
+                Question::Motion { postures, new_count },
+            ] {
+                assert_eq!(question.answer_limit(), u32::MAX as usize);
+            }
+        }
+    }
 }

@@ -156,15 +156,10 @@ fn state(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport]) -> 
     }
 }
 
+/// Whether all that counts in the answers is as these functions answer.
 fn answered_like(part: &PartPaper, answers: &[CheckAnswers], functions: &Functions) -> bool {
-    part.checks.iter().zip(answers).all(|(check, given)| {
-        given.failure.is_none()
-            && check
-                .cases
-                .iter()
-                .zip(&given.answers)
-                .all(|(case, answer)| *answer == case.question.ask(functions))
-    })
+    let mut all = part.checks.iter().zip(answers);
+    all.all(|(check, given)| given.failure.is_none() && answers_are(check, given, functions))
 }
 
 /// The misconceptions whose answers are the student's, in all checks where they can be seen.

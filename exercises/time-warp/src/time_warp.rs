@@ -19,11 +19,12 @@ use skeleton::acclaim::{Between, Posture};
 /// **In:** the `new_frame`, counted from 0; how many frames the old motion has (at least one), and how many the new one
 /// is to have.
 ///
-/// **Out:** the old frames before and after that place, and how far it is from the one to the other: `t`, from 0 up to, but
-/// not including, 1.
+/// **Out:** the old frames before and after that place, and `t`: how far it is from the one to the other, 0 at the frame
+/// before and 1 at the frame after.
 ///
 /// The place is `new_frame` × old count / new count, mostly not a whole number. Where it is one, that frame is both, and `t`
-/// is 0. There is no frame behind the last one: where the frame after would be behind it, it is the last one, too.
+/// is 0. There is no frame behind the last one: where the frame after would be behind it, it is the last one, too. Frames
+/// that are there and a `t` that name the same place in another way are just as right.
 ///
 /// A count of several million must not make the place inexact.
 ///

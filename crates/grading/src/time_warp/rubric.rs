@@ -16,7 +16,7 @@ pub static RUBRIC: Rubric = Rubric {
             checks: &[
                 check("slower", 2, "more frames than before"),
                 check("faster", 1, "fewer frames than before"),
-                check("last", 1, "places behind the last frame"),
+                check("last", 1, "the end of the motion: there is no frame behind the last one"),
                 check("long", 1, "motions of millions of frames"),
             ],
         },
