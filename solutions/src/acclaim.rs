@@ -3,9 +3,7 @@
 //! This is the only file that you edit, and the only one that you hand in. It holds three functions. Each is checked by
 //! itself, so that you can write and check them in any order.
 //!
-//! - Try it: `cargo view --exercise acclaim` shows the bones where your functions put them.
-//! - Check it: `cargo test -p acclaim` shows your points and what to do next; `cargo test -p acclaim part1` checks part 1
-//!   only.
+//! `cargo test -p acclaim` shows your points and what to do next; `cargo test -p acclaim part1` checks part 1 only.
 //!
 //! All axes are right-handed. Angles are in degrees. A quaternion is written (x, y, z, w), and `a * b` is the rotation
 //! that does `b` first and `a` after it. Keep nothing between calls.

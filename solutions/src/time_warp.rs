@@ -3,9 +3,7 @@
 //! This is the only file that you edit, and the only one that you hand in. It holds three functions. The third makes a
 //! motion with another number of frames; the first two are yours to call there.
 //!
-//! - Try it: `cargo view --exercise time-warp` shows the motion that your functions make beside the original.
-//! - Check it: `cargo test -p time-warp` shows your points and what to do next; `cargo test -p time-warp part1` checks
-//!   part 1 only.
+//! `cargo test -p time-warp` shows your points and what to do next; `cargo test -p time-warp part1` checks part 1 only.
 //!
 //! A posture holds, for every bone, three angles about its own X, Y and Z axis in degrees, and a translation. The
 //! rotation that the angles stand for is Rz Ry Rx. A quaternion is written (x, y, z, w).

@@ -6,7 +6,7 @@ use crate::{CheckRubric, PartRubric, Rubric};
 pub static RUBRIC: Rubric = Rubric {
     exercise: "acclaim",
     title: "Acclaim forward kinematics",
-    invitation: "run `cargo view --exercise acclaim` and see it walk",
+    invitation: "go on with time warping",
     parts: &[
         PartRubric {
             id: "part1",

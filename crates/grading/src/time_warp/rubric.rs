@@ -6,7 +6,7 @@ use crate::{CheckRubric, PartRubric, Rubric};
 pub static RUBRIC: Rubric = Rubric {
     exercise: "time-warp",
     title: "Time warping",
-    invitation: "run `cargo view --exercise time-warp` and see it slowed down",
+    invitation: "that was the last exercise",
     parts: &[
         PartRubric {
             id: "part1",
