@@ -90,9 +90,8 @@ fn off(expected: &[Posture], got: &[Posture]) -> Option<Trouble> {
 }
 
 fn in_words(off: &Off) -> String {
-    let between = &off.difference.between;
     match off.bone {
-        Some(bone) => format!("bone {bone} is off there, by {between}"),
-        None => format!("it has not as many bones as the motion ({between} too many or missing)"),
+        Some(bone) => format!("bone {bone} is off there, by {}", off.difference.between),
+        None => "it has not as many bones as the motion".to_owned(),
     }
 }

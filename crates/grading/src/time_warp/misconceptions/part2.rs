@@ -85,7 +85,7 @@ fn about_components() -> Vec<Misconception> {
             hint: "One step is missing at the end. Which function does the opposite of `Quat::from_euler`?",
             seen_in: ROTATIONS,
             costs: ROTATIONS,
-            variants: ways![ComponentsAsAngles<0>, ComponentsAsAngles<1>, ComponentsAsAngles<2>],
+            variants: ways![ComponentsAsAngles<0, false>, ComponentsAsAngles<0, true>, ComponentsAsAngles<1, false>, ComponentsAsAngles<1, true>, ComponentsAsAngles<2, false>, ComponentsAsAngles<2, true>],
         },
         Misconception {
             id: "rotation_vector",

@@ -17,6 +17,13 @@ use crate::time_warp::variants::quaternion;
 /// The angles of one bone in the two postures.
 type Pair = [[f32; 3]; 2];
 
+/// What of a posture counts.
+#[derive(Clone, Copy)]
+enum Compared {
+    Rotations,
+    Translations,
+}
+
 /// Values for `t` where not all wrong ways are right, as some are half-way.
 const TIMES: [f32; 6] = [0.25, 0.1, 0.7, 0.3, 0.9, 0.6];
 
@@ -42,7 +49,7 @@ fn translations(dice: &mut Dice) -> Vec<Case> {
     cases
         .map(|(bones, t)| {
             let pairs = of_bones(dice, bones, all_change);
-            ask(dice, &pairs, t, compare::translations, None)
+            ask(dice, &pairs, t, Compared::Translations, None)
         })
         .into()
 }
@@ -52,11 +59,11 @@ fn rotations(dice: &mut Dice, throw: fn(&mut Dice, Axis, bool) -> Pair) -> Vec<C
     let axes = [Axis::Z, Axis::X, Axis::Y];
     let single = axes.into_iter().cycle().zip(TIMES).enumerate().map(|(number, (axis, t))| {
         let pair = throw(dice, axis, number >= axes.len());
-        ask(dice, &[pair], t, compare::rotations, Some(format!("about {axis}")))
+        ask(dice, &[pair], t, Compared::Rotations, Some(format!("about {axis}")))
     });
     let mut cases: Vec<Case> = single.collect();
     let pairs: Vec<Pair> = axes.into_iter().cycle().take(BONES).map(|axis| throw(dice, axis, true)).collect();
-    cases.push(ask(dice, &pairs, 0.2, compare::rotations, Some("several bones".to_owned())));
+    cases.push(ask(dice, &pairs, 0.2, Compared::Rotations, Some("several bones".to_owned())));
     cases
 }
 
@@ -65,13 +72,13 @@ fn all_axes(dice: &mut Dice) -> Vec<Case> {
     let single = |t| {
         let throw = || {
             let pair = all_change(dice);
-            ask(dice, &[pair], t, compare::rotations, None)
+            ask(dice, &[pair], t, Compared::Rotations, None)
         };
         until(throw, |case| is_apart("all_axes", case))
     };
     let mut cases: Vec<Case> = TIMES.map(single).into();
     let pairs = of_bones(dice, BONES, all_change);
-    cases.push(ask(dice, &pairs, 0.2, compare::rotations, None));
+    cases.push(ask(dice, &pairs, 0.2, Compared::Rotations, None));
     cases
 }
 
@@ -91,16 +98,14 @@ fn of_bones(dice: &mut Dice, bones: usize, throw: fn(&mut Dice) -> Pair) -> Vec<
     (0..bones).map(|_| throw(dice)).collect()
 }
 
-/// From one side of zero to the other, or on the same side, by less than a right angle.
+/// By less than a right angle: about Z on one side of zero, and about X and Y from one side to the other.
 fn small_change(dice: &mut Dice, axis: Axis, others: bool) -> Pair {
     let from = dice.angle(10.0, 30.0);
-    let way = if dice.below(2) == 0 { 1.0 } else { -1.0 };
-    let to = if way * from > 0.0 {
-        from + way * dice.between(25.0, 45.0)
-    } else {
-        from + way * dice.between(50.0, 95.0)
+    let way = match axis {
+        Axis::Z => dice.between(25.0, 45.0),
+        Axis::X | Axis::Y => -dice.between(60.0, 95.0),
     };
-    one_changes(dice, axis, others, [from, to])
+    one_changes(dice, axis, others, [from, from + from.signum() * way])
 }
 
 /// Over ±180 degrees.
@@ -132,20 +137,41 @@ fn all_change(dice: &mut Dice) -> Pair {
     until(throw, is_short)
 }
 
-fn ask(dice: &mut Dice, pairs: &[Pair], t: f32, difference: Compare, group: Option<String>) -> Case {
+fn ask(dice: &mut Dice, pairs: &[Pair], t: f32, compared: Compared, group: Option<String>) -> Case {
     let [from, to] = [0, 1].map(|end| Posture {
         angles: pairs.iter().map(|pair| pair[end]).collect(),
         translations: pairs.iter().map(|_| dice.vector(2.0, 40.0)).collect(),
     });
-    let mut inputs = Vec::new();
-    if let [[first, second]] = pairs {
-        inputs.push(input("angles, from", in_degrees(first)));
-        inputs.push(input("angles, to", in_degrees(second)));
-        inputs.push(input("translation, from", vector(from.translations[0])));
-        inputs.push(input("translation, to", vector(to.translations[0])));
+    let mut inputs = if pairs.len() == 1 {
+        let shown =
+            |end, posture| input(format!("{}, {end}", compared.name()), compared.of_first_bone(posture));
+        vec![shown("from", &from), shown("to", &to)]
     } else {
-        inputs.push(input("bones", pairs.len().to_string()));
-    }
+        vec![input("bones", pairs.len().to_string())]
+    };
     inputs.push(input("t", t.to_string()));
-    case(TimeWarpQuestion::Blend { from, to, t }, difference, inputs, group)
+    case(TimeWarpQuestion::Blend { from, to, t }, compared.compare(), inputs, group)
+}
+
+impl Compared {
+    fn compare(self) -> Compare {
+        match self {
+            Compared::Rotations => compare::rotations,
+            Compared::Translations => compare::translations,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Compared::Rotations => "angles",
+            Compared::Translations => "translation",
+        }
+    }
+
+    fn of_first_bone(self, posture: &Posture) -> String {
+        match self {
+            Compared::Rotations => in_degrees(&posture.angles[0]),
+            Compared::Translations => vector(posture.translations[0]),
+        }
+    }
 }

@@ -61,7 +61,9 @@ fn few(dice: &mut Dice) -> Vec<Case> {
 
 fn ask(postures: Vec<Posture>, new_count: usize, origin: Option<String>, group: Option<&str>) -> Case {
     let bones = postures.first().map_or(0, |posture| posture.angles.len());
-    let mut inputs = vec![input("old motion", format!("{} frames, {bones} bones", postures.len()))];
+    let counted = |count, what| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let old = format!("{}, {}", counted(postures.len(), "frame"), counted(bones, "bone"));
+    let mut inputs = vec![input("old motion", old)];
     inputs.extend(origin.map(|origin| input("made from", origin)));
     if bones == 1 {
         let shown = |(frame, posture): (usize, &Posture)| {

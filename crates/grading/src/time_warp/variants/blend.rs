@@ -1,6 +1,6 @@
 //! Part 2.
 
-use glam::{EulerRot, Quat, Vec3, Vec4};
+use glam::{EulerRot, Mat3, Quat, Vec3, Vec4};
 
 use super::{Way, angles, quaternion};
 
@@ -116,10 +116,15 @@ impl<const W: u8, const RADIANS: bool, const NORMALIZED: bool> Way
 }
 
 /// Interpolates quaternions, and takes x, y and z of the result for angles: as they are, in radians, or as the sines of
-/// half the angles.
-pub struct ComponentsAsAngles<const READ_AS: u8>;
+/// half the angles. Quaternions that come `BY_MATRICES` can have another sign.
+pub struct ComponentsAsAngles<const READ_AS: u8, const BY_MATRICES: bool>;
 
-impl<const READ_AS: u8> Way for ComponentsAsAngles<READ_AS> {
+impl<const READ_AS: u8, const BY_MATRICES: bool> Way for ComponentsAsAngles<READ_AS, BY_MATRICES> {
+    fn quaternion(angles: [f32; 3]) -> Quat {
+        let rotation = quaternion(angles);
+        if BY_MATRICES { Quat::from_mat3(&Mat3::from_quat(rotation)) } else { rotation }
+    }
+
     fn angles(rotation: Quat) -> [f32; 3] {
         let numbers = rotation.xyz().to_array();
         match READ_AS {
