@@ -4,8 +4,8 @@
 //! [`InProcess`], which calls the functions directly, or a [`WorkerProcess`]: a process that links the functions and
 //! answers in [`worker::serve`]. What happens there (a panic, an endless loop, a crash) happens to it alone.
 //!
-//! This crate is all that is linked beside a student's functions. No right answer is in it, nor anything that could
-//! make one.
+//! Where students' functions are marked, this crate is all that is linked beside them. No right answer is in it, nor
+//! anything that could make one. (The viewer's worker for keyframes links `inbetween` too, which poses frames.)
 #![deny(missing_docs)]
 
 pub mod acclaim;

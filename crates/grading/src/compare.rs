@@ -16,6 +16,11 @@ pub const POSITION_TOLERANCE: f32 = 1e-4;
 /// Whether two quaternions do the same, and if not, how they differ. q and −q are the same rotation. Where the expected
 /// one is no rotation itself (a known-wrong answer), their components are compared.
 pub(crate) fn between_rotations(expected: Quat, got: Quat) -> Option<Difference> {
+    between_rotations_within(ROTATION_TOLERANCE, expected, got)
+}
+
+/// The same with another tolerance, in degrees.
+pub(crate) fn between_rotations_within(tolerance: f64, expected: Quat, got: Quat) -> Option<Difference> {
     let between = if !got.is_finite() {
         NOT_A_NUMBER.to_owned()
     } else if (expected.length() - 1.0).abs() > LENGTH_TOLERANCE || !expected.is_finite() {
@@ -28,7 +33,7 @@ pub(crate) fn between_rotations(expected: Quat, got: Quat) -> Option<Difference>
         format!("a rotation has the length 1, this one has {:.4}", got.length())
     } else {
         let degrees = angle_between(expected, got);
-        if degrees <= ROTATION_TOLERANCE {
+        if degrees <= tolerance {
             return None;
         }
         format!("{degrees:.2}°")

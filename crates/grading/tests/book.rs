@@ -53,6 +53,10 @@ fn check_table(file: &str, place: &str, table: &str) {
     let from = text.find(&begin).unwrap() + begin.len();
     let to = text.find(&end).unwrap();
     if env::var_os("FK_LAB_BLESS").is_some() {
+        // Other tests read these files at the same time.
+        if &text[from..to] == table {
+            return;
+        }
         fs::write(&path, format!("{}{table}{}", &text[..from], &text[to..])).unwrap();
     } else {
         assert_eq!(&text[from..to], table, "{file}");

@@ -170,6 +170,15 @@ fn slerp_may_be_written_in_other_ways() {
             Quat::from_scaled_axis(turn * t) * from
         }),
     );
+    assert_all_right(
+        "the same by an arc cosine, with an axis of its own",
+        shorter!(|from, to, t| {
+            let turn = to * from.conjugate();
+            let half = turn.w.min(1.0).acos() * t;
+            let Some(axis) = turn.xyz().try_normalize() else { return from };
+            Quat::from_vec4((axis * half.sin()).extend(half.cos())) * from
+        }),
+    );
     assert_all_right("glam's, and the other sign", shorter!(|from, to, t| -from.slerp(to, t)));
 }
 
@@ -276,6 +285,36 @@ fn a_wrong_part_3_costs_points_even_with_wrong_parts_1_and_2() {
             pose
         },
         ..NEVER_SHORTER
+    };
+    for reports in reports(functions) {
+        assert_eq!(lost(&reports[2]), ["euler", "quaternion"]);
+    }
+}
+
+#[test]
+fn a_straight_line_between_what_is_not_close_is_no_other_way() {
+    let functions = shorter!(|from, to, t| {
+        let dot = from.dot(to);
+        if dot > 0.95 { (from * (1.0 - t) + to * t).normalize() } else { arc(from, to, t, dot.acos()) }
+    });
+    // On many seeds: it must not depend on them.
+    for seed in 0..60 {
+        let mut subject = InProcess(Functions::Interpolation(functions));
+        let report = grade_part(&mut subject, &exam(seed, &Solutions).parts[1], NO_LIMIT);
+        assert_eq!(lost(&report), ["near", "shorter_way"], "seed {seed}");
+    }
+}
+
+/// Part 3 that turns nothing, and parts 1 and 2 that agree with it.
+#[test]
+fn rotations_that_are_the_same_for_all_joints_are_nobodys_own() {
+    let functions = InterpolationFunctions {
+        interpolate_angles: |_, _, _| [0.0; 3],
+        slerp: |_, _, _| Quat::IDENTITY,
+        interpolate_frame: |skeleton, from, to, t, representation| {
+            let pose = frame::<false, true>(skeleton, from, to, t, representation);
+            LocalPose { rotations: vec![Quat::IDENTITY; skeleton.len()], ..pose }
+        },
     };
     for reports in reports(functions) {
         assert_eq!(lost(&reports[2]), ["euler", "quaternion"]);

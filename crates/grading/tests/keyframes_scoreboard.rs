@@ -1,12 +1,12 @@
 //! The scoreboard of the exercise on keyframes, word for word. After a change,
 //! `FK_LAB_BLESS=1 cargo test -p grading --test keyframes_scoreboard` writes the expected texts again: look at them before
 //! you keep them.
-#![allow(clippy::unwrap_used)] // Helpers of tests.
 
-use std::{env, fs};
+#[path = "support/golden.rs"]
+mod golden;
 
-use exam::{Functions, InProcess};
-use grading::{Graded, PUBLIC_SEED, Solutions, keyframes};
+use exam::Functions;
+use grading::keyframes;
 use skeleton::{FrameErrors, KeyframesFunctions, Pose, RemovalCosts, Skeleton};
 
 #[test]
@@ -61,20 +61,5 @@ fn a_mistake_without_a_name_and_a_panic() {
 }
 
 fn check(name: &str, functions: KeyframesFunctions) {
-    let exam = keyframes::exam(PUBLIC_SEED, &Solutions);
-    let mut subject = InProcess(Functions::keyframes(functions));
-    let graded = Graded::ask(&mut subject, &exam, grading::CHECK_LIMIT);
-    let plain = anstream::adapter::strip_str(&graded.scoreboard(&exam).to_string()).to_string();
-    assert!(plain.lines().all(|line| line.chars().count() <= 110), "{plain}");
-
-    let path = format!("{}/tests/golden/keyframes_{name}.txt", env!("CARGO_MANIFEST_DIR"));
-    // Where a function panics depends on this file's lines.
-    let here =
-        plain.split_whitespace().find(|word| word.contains("scoreboard.rs:")).unwrap_or("no such word");
-    let plain = plain.replace(here, "FILE:LINE:COLUMN:");
-    if env::var_os("FK_LAB_BLESS").is_some() {
-        fs::write(&path, &plain).unwrap();
-    }
-    let expected = fs::read_to_string(&path).unwrap();
-    assert_eq!(plain, expected, "{path}");
+    golden::check(&format!("keyframes_{name}"), Functions::keyframes(functions));
 }

@@ -97,3 +97,19 @@ impl Exercise {
         format!("{}\nfn main() {{ exam::worker::serve(FUNCTIONS) }}\n", self.library)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_exercise_that_can_be_graded_can_be_marked() {
+        let graded: Vec<&str> = grading::EXERCISES.iter().map(|graded| graded.rubric.exercise).collect();
+        let marked: Vec<&str> = EXERCISES.iter().map(|marked| marked.name).collect();
+        assert_eq!(marked, graded);
+        for Exercise { name, file, rubric, exam, .. } in &EXERCISES {
+            assert_eq!((rubric.exercise, exam(1).rubric.exercise), (*name, *name));
+            assert_eq!(*file, format!("{name}.rs"));
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! The tips of a skeleton, and nothing that does not lead to them.
+//! Where the tips of a skeleton are.
 
 use glam::Vec3;
 use skeleton::{Clip, Pose, Skeleton};

@@ -6,11 +6,18 @@ use glam::Quat;
 use skeleton::{Joint, RotationOrder, Skeleton};
 
 use super::variants::quaternion;
-use crate::compare::{NOT_A_NUMBER, between_positions, between_rotations, not_comparable};
+use crate::compare::{
+    NOT_A_NUMBER, ROTATION_TOLERANCE, between_positions, between_rotations, between_rotations_within,
+    not_comparable,
+};
 use crate::{Case, Difference};
 
 /// Two angles are the same when they differ by at most this, in degrees, apart from full turns.
 pub const ANGLE_TOLERANCE: f64 = 0.01;
+
+/// The same for rotations that come of two which are all but the same. There the arc cosine of an `f32` is so far off: of
+/// 1 − 0.0000002 it is 0.07 degrees of a joint's turn.
+pub const CLOSE_TOLERANCE: f64 = 0.2;
 
 /// Of part 1's answers, the directions of the three angles.
 pub(super) fn angles(_: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
@@ -48,11 +55,15 @@ fn in_degrees(angles: &[f32; 3]) -> String {
 
 /// Part 2's answer.
 pub(super) fn rotation(_: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
+    rotation_within(ROTATION_TOLERANCE, expected, got)
+}
+
+fn rotation_within(tolerance: f64, expected: &Answer, got: &Answer) -> Option<Difference> {
     match (expected, got) {
         (
             Answer::Interpolation(InterpolationAnswer::Slerp(expected)),
             Answer::Interpolation(InterpolationAnswer::Slerp(got)),
-        ) => between_rotations(*expected, *got),
+        ) => between_rotations_within(tolerance, *expected, *got),
         _ => not_comparable(),
     }
 }
@@ -70,9 +81,9 @@ fn is_finite(answer: &Answer) -> bool {
     matches!(answer, Answer::Interpolation(InterpolationAnswer::Slerp(q)) if q.is_finite())
 }
 
-/// Part 2's answer, where rounding decides whether a wrong function gives a wrong one.
+/// Part 2's answer, where rounding decides whether a wrong function gives a wrong one, and how exact a right one is.
 pub(super) fn where_rounding_decides(case: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
-    if *expected == case.expected { rotation(case, expected, got) } else { None }
+    if *expected == case.expected { rotation_within(CLOSE_TOLERANCE, expected, got) } else { None }
 }
 
 /// Of part 3's answers, the rotations of all joints. Right is also what comes of the student's own parts 1 and 2 when
@@ -125,7 +136,8 @@ fn frame(answer: &Answer) -> Option<&FrameAnswer> {
     }
 }
 
-/// For every joint the rotations that the student's own part 1 or part 2 leads to.
+/// For every joint the rotations that the student's own part 1 or part 2 leads to. Nothing when all joints of a figure
+/// would be turned alike: then there was nothing to be put together.
 fn own_rotations(skeleton: &Skeleton, answer: &FrameAnswer) -> Vec<Vec<Quat>> {
     let (mut angles, mut rotations) = (answer.angles.iter(), answer.rotations.iter());
     let of = |joint: &Joint| {
@@ -136,7 +148,10 @@ fn own_rotations(skeleton: &Skeleton, answer: &FrameAnswer) -> Vec<Vec<Quat>> {
         let by_angles = angles.next().map(|angles| quaternion(joint, *angles));
         by_angles.into_iter().chain(rotations.next().into_iter().flatten().copied()).collect()
     };
-    skeleton.joints().iter().map(of).collect()
+    let own: Vec<Vec<Quat>> = skeleton.joints().iter().map(of).collect();
+    let turned: Vec<Quat> = own.iter().filter_map(|rotations| rotations.first().copied()).collect();
+    let are_alike = turned.iter().all(|other| between_rotations(turned[0], *other).is_none());
+    if turned.len() > 1 && are_alike { Vec::new() } else { own }
 }
 
 fn other_count(what: &str, expected: usize, got: usize) -> Option<Difference> {

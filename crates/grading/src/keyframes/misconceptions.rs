@@ -9,6 +9,8 @@ use skeleton::{FrameErrors, KeyframesFunctions, Pose, RemovalCosts, Skeleton};
 
 use crate::Misconception;
 
+pub(super) use part3::BELOW_ZERO;
+
 /// The misconceptions of one part.
 pub fn misconceptions(part: &str) -> Vec<Misconception> {
     match part {

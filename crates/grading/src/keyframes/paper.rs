@@ -10,7 +10,7 @@ use exam::{Answer, Functions, Question};
 use super::misconceptions::misconceptions;
 use super::{RUBRIC, TEMPLATE, compare, whole_motion};
 use crate::dice::Dice;
-use crate::{Case, CheckPaper, Exam, PartPaper, Reference};
+use crate::{Case, CheckPaper, Exam, Misconception, PartPaper, Reference};
 
 /// The exam on keyframes. The same seed gives the same questions.
 pub fn exam(seed: u64, reference: &dyn Reference) -> Exam {
@@ -55,12 +55,18 @@ struct Draft {
 }
 
 /// What each way to understand a question answers: the right way first, and then each misconception that a check is to
-/// cost, with all its variants.
-fn ways(part: &str, check: &str, question: KeyframesQuestion) -> Vec<Vec<Answer>> {
+/// cost and that `shows` here, with all its variants.
+fn ways(
+    part: &str,
+    check: &str,
+    question: KeyframesQuestion,
+    shows: impl Fn(&Misconception) -> bool,
+) -> Vec<Vec<Answer>> {
     let question = Question::Keyframes(question);
     let right = question.ask(&Functions::keyframes(solutions::KEYFRAMES));
     let all = misconceptions(part);
-    let wrong = all.iter().filter(|misconception| misconception.costs.contains(&check));
+    let wrong =
+        all.iter().filter(|misconception| misconception.costs.contains(&check) && shows(misconception));
     let answers = wrong.map(|one| one.variants.iter().map(|variant| question.ask(variant)).collect());
     [vec![right]].into_iter().chain(answers).collect()
 }

@@ -9,10 +9,10 @@ use crate::compare::{angle_between, quaternion};
 use crate::dice::Dice;
 use crate::interpolation::compare;
 
-/// By how many degrees the joint turns from one to the other. From 20 degrees on a straight line is visibly uneven; the
-/// last stay away from half a turn, where both ways are equally long.
+/// By how many degrees the joint turns from one to the other. From 25 degrees on, a straight line is more uneven than is
+/// tolerated, at each `t` of these but half-way; the last stay away from half a turn, where both ways are equally long.
 const APART: [(f32, f32); 6] =
-    [(40.0, 80.0), (80.0, 130.0), (20.0, 35.0), (130.0, 165.0), (60.0, 120.0), (90.0, 165.0)];
+    [(40.0, 80.0), (80.0, 130.0), (25.0, 35.0), (130.0, 165.0), (60.0, 120.0), (90.0, 165.0)];
 
 /// A quarter turn about Z.
 const QUARTER: [f32; 4] = [0.0, 0.0, std::f32::consts::FRAC_1_SQRT_2, std::f32::consts::FRAC_1_SQRT_2];

@@ -12,6 +12,9 @@ const ALL: &[&str] = &["one", "many", "ties", "few"];
 const FEW: &[&str] = &["few"];
 const TIES: &[&str] = &["ties"];
 
+/// What shows only where a cost is below 0.
+pub(in crate::keyframes) const BELOW_ZERO: &str = "below_zero";
+
 pub(super) fn misconceptions() -> Vec<Misconception> {
     [about_new_costs(), about_the_choice(), about_how_many()].into_iter().flatten().collect()
 }
@@ -74,6 +77,19 @@ fn about_the_choice() -> Vec<Misconception> {
             ]
             .map(wrong_in_part3)
             .into(),
+        },
+        Misconception {
+            id: BELOW_ZERO,
+            title: "You do not take a cost below 0 for the least.",
+            explanation: "A removal can make the accumulated error smaller. Its cost is then below 0 and less than any other, so \
+                          that this keyframe goes first.",
+            hint: "Which of 2, −3 and 0.5 is least, and which one would your function find? Look for an absolute value, or for \
+                   something that keeps costs at 0 or above.",
+            seen_in: CHOICE,
+            costs: MANY,
+            variants: [reduction::sizes_compared as Reduce, reduction::below_zero_is_zero]
+                .map(wrong_in_part3)
+                .into(),
         },
         Misconception {
             id: "neighbour_removed",

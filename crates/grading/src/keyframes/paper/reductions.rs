@@ -4,8 +4,10 @@ use exam::Answer;
 use exam::keyframes::{Question as KeyframesQuestion, Triples};
 
 use super::{Draft, input, until, ways};
+use crate::Misconception;
 use crate::dice::Dice;
 use crate::keyframes::compare::list;
+use crate::keyframes::misconceptions::BELOW_ZERO;
 use crate::keyframes::wander::{costs, wander};
 
 /// In every step the second-best removal costs more than the best one by more than this, times their size: which one is
@@ -17,6 +19,8 @@ const MARGIN: f64 = 0.005;
 enum Table {
     /// Every one is thrown by itself, and no two are the same.
     Numbers,
+    /// The same, and some are below 0 where there are other frames between the neighbours.
+    BelowZero,
     /// From the errors of something that moves.
     Wandering,
     /// Small whole numbers, many of them the same, whatever the neighbours are.
@@ -26,7 +30,7 @@ enum Table {
 }
 
 pub(super) fn drafts(dice: &mut Dice, check: &str) -> Vec<Draft> {
-    use Table::{Numbers, Wandering, Whole, Zeros};
+    use Table::{BelowZero, Numbers, Wandering, Whole, Zeros};
     let cases: &[(Table, usize, usize)] = match check {
         "one" => &[(Numbers, 6, 5), (Wandering, 9, 8), (Numbers, 12, 11), (Wandering, 20, 19)],
         "many" => &[
@@ -34,7 +38,7 @@ pub(super) fn drafts(dice: &mut Dice, check: &str) -> Vec<Draft> {
             (Wandering, 12, 5),
             (Numbers, 16, 5),
             (Wandering, 20, 7),
-            (Numbers, 25, 10),
+            (BelowZero, 25, 10),
             (Wandering, 30, 8),
         ],
         "ties" => &[(Whole, 9, 5), (Whole, 15, 8), (Whole, 24, 10), (Zeros, 12, 5)],
@@ -43,15 +47,16 @@ pub(super) fn drafts(dice: &mut Dice, check: &str) -> Vec<Draft> {
     };
     let throw = |&(table, frames, count): &(Table, usize, usize)| {
         let throw = || table.throw(dice, frames);
+        let shows = |wrong: &Misconception| wrong.id != BELOW_ZERO || matches!(table, BelowZero);
         let tells = |costs: &Triples| match table {
-            Numbers | Wandering => {
+            Numbers | BelowZero | Wandering => {
                 let cost = |before, frame, after| costs.get(before, frame, after);
                 let size = |before, frame, after| costs.get(before, frame, after).abs();
                 is_clear(frames, count, cost, size)
                     && all_differ_at_first(frames, costs)
-                    && tells(check, frames, count, costs)
+                    && tells(check, frames, count, costs, shows)
             }
-            Whole => tells(check, frames, count, costs),
+            Whole => tells(check, frames, count, costs, shows),
             Zeros => true,
         };
         draft(frames, count, until(throw, tells), None)
@@ -85,7 +90,7 @@ fn few(dice: &mut Dice) -> Vec<Draft> {
 impl Table {
     fn throw(self, dice: &mut Dice, frames: usize) -> Triples {
         match self {
-            Table::Numbers => {
+            Table::Numbers | Table::BelowZero => {
                 let mut numbers = Vec::new();
                 Triples::new(frames, |_, _, _| {
                     numbers.push(numbers.len() + 1);
@@ -93,7 +98,12 @@ impl Table {
                 });
                 dice.shuffle(&mut numbers);
                 let mut next = numbers.into_iter();
-                Triples::new(frames, |_, _, _| next.next().unwrap_or(0) as f64 / 10.0)
+                Triples::new(frames, |before, _, after| {
+                    let number = next.next().unwrap_or(0) as f64 / 10.0;
+                    // With all frames as keyframes no frame has an error that could become smaller.
+                    let can_be_less = matches!(self, Table::BelowZero) && after - before > 2;
+                    if can_be_less && dice.below(4) == 0 { -number } else { number }
+                })
             }
             Table::Wandering => costs(&wander(dice, frames)),
             Table::Whole => {
@@ -113,10 +123,17 @@ fn all_differ_at_first(frames: usize, costs: &Triples) -> bool {
     first.windows(2).all(|pair| pair[0] < pair[1])
 }
 
-/// Whether all misconceptions that this check is to cost give another answer than the right one. Where many keyframes are
+/// Whether all misconceptions that this check is to cost, and that can show here, give another answer than the right one. Where many keyframes are
 /// removed, they give different answers from one another too.
-fn tells(check: &str, frame_count: usize, count: usize, costs: &Triples) -> bool {
-    let ways = ways("part3", check, KeyframesQuestion::Reduce { frame_count, count, costs: costs.clone() });
+fn tells(
+    check: &str,
+    frame_count: usize,
+    count: usize,
+    costs: &Triples,
+    shows: impl Fn(&Misconception) -> bool,
+) -> bool {
+    let question = KeyframesQuestion::Reduce { frame_count, count, costs: costs.clone() };
+    let ways = ways("part3", check, question, shows);
     let others = |index: usize| &ways[..if check == "many" { index } else { index.min(1) }];
     let are_apart = |way: &[Answer], other: &[Answer]| way.iter().all(|answer| !other.contains(answer));
     ways.iter().enumerate().all(|(index, way)| others(index).iter().all(|other| are_apart(way, other)))

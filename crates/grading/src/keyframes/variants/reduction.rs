@@ -78,6 +78,20 @@ pub fn outdated_costs_count(frame_count: usize, count: usize, costs: &RemovalCos
     })
 }
 
+/// As if −3 were more than 2.
+pub fn sizes_compared(frame_count: usize, count: usize, costs: &RemovalCosts) -> Vec<usize> {
+    removing(frame_count, wanted(frame_count, count), |keyframes| {
+        least(keyframes, |three| present(costs, three).abs())
+    })
+}
+
+/// As if nothing could cost less than nothing.
+pub fn below_zero_is_zero(frame_count: usize, count: usize, costs: &RemovalCosts) -> Vec<usize> {
+    removing(frame_count, wanted(frame_count, count), |keyframes| {
+        least(keyframes, |three| present(costs, three).max(0.0))
+    })
+}
+
 /// The keyframe before the one that costs least goes, or the one after it.
 pub fn neighbour_removed<const BEFORE: bool>(
     frame_count: usize,
