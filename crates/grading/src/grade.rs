@@ -156,6 +156,7 @@ fn state(part: &PartPaper, answers: &[CheckAnswers], checks: &[CheckReport]) -> 
     }
 }
 
+/// Whether the part answers as `functions` do, whatever the other parts do.
 fn answered_like(part: &PartPaper, answers: &[CheckAnswers], functions: &Functions) -> bool {
     part.checks.iter().zip(answers).all(|(check, given)| {
         given.failure.is_none()
@@ -163,7 +164,7 @@ fn answered_like(part: &PartPaper, answers: &[CheckAnswers], functions: &Functio
                 .cases
                 .iter()
                 .zip(&given.answers)
-                .all(|(case, answer)| *answer == case.question.ask(functions))
+                .all(|(case, answer)| answer.of_its_part() == case.question.ask(functions).of_its_part())
     })
 }
 
