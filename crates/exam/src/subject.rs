@@ -81,6 +81,17 @@ pub enum Answer {
     NotMine,
 }
 
+impl Answer {
+    /// What the part gave that was asked about. Some answers hold what other parts gave as well.
+    #[must_use]
+    pub fn of_its_part(&self) -> Self {
+        match self {
+            Answer::Interpolation(answer) => Answer::Interpolation(answer.of_its_part()),
+            other => other.clone(),
+        }
+    }
+}
+
 impl Question {
     /// Asks `functions`, here and now. A panic of theirs goes through.
     pub fn ask(&self, functions: &Functions) -> Answer {
@@ -190,8 +201,8 @@ impl fmt::Display for Failure {
             Failure::Panicked { message, location: None } => write!(f, "your code panicked: {message}"),
             Failure::TimedOut { limit } => write!(
                 f,
-                "your code did not finish within {} seconds: look for a loop that never ends",
-                limit.as_secs_f32()
+                "your code did not finish within {}: look for a loop that never ends",
+                seconds(*limit)
             ),
             Failure::Crashed { how } => write!(
                 f,
@@ -203,6 +214,13 @@ impl fmt::Display for Failure {
             }
             Failure::NoAnswer { why } => write!(f, "no answer came back: {why}"),
         }
+    }
+}
+
+fn seconds(limit: Duration) -> String {
+    match limit.as_secs_f32() {
+        1.0 => "1 second".to_owned(),
+        other => format!("{other} seconds"),
     }
 }
 

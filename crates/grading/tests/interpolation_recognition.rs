@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use exam::{Functions, InProcess};
 use glam::{Quat, Vec3};
-use grading::interpolation::{RUBRIC, exam, misconceptions};
+use grading::interpolation::{RUBRIC, TEMPLATE, exam, misconceptions};
 use grading::{
     CheckState, FirstCase, Misconception, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble,
     WholeReport, grade_part, grade_whole_motion,
@@ -118,6 +118,35 @@ fn a_mistake_that_nobody_knows_is_not_given_a_name() {
 }
 
 #[test]
+fn a_part_that_nobody_touched_is_not_started_whatever_the_other_parts_do() {
+    let begun = [INTERPOLATION, InterpolationFunctions { slerp: textbook, ..INTERPOLATION }];
+    for functions in begun {
+        let functions = InterpolationFunctions { interpolate_frame: TEMPLATE.interpolate_frame, ..functions };
+        assert_eq!(report(functions, 2).state, PartState::NotStarted);
+    }
+}
+
+#[test]
+fn a_figure_without_its_end_sites_is_told_how_many_are_missing() {
+    let functions = InterpolationFunctions {
+        interpolate_frame: |skeleton, from, to, t, representation| {
+            let mut pose = (INTERPOLATION.interpolate_frame)(skeleton, from, to, t, representation);
+            let is_turned = |index: &usize| !skeleton.joints()[*index].is_end_site;
+            pose.rotations =
+                (0..skeleton.len()).filter(is_turned).map(|index| pose.rotations[index]).collect();
+            pose
+        },
+        ..INTERPOLATION
+    };
+    let report = report(functions, 2);
+    let first = &first_case(&report, "euler").difference;
+    assert_eq!((&*first.got, &*first.between), ("1 rotation", "1 rotation missing"));
+    let whole = whole(functions);
+    let Some(Trouble::Different { summary, .. }) = &whole.trouble else { panic!("{whole:?}") };
+    assert!(summary.contains("joints and End Sites, and each needs one of both"), "{summary}");
+}
+
+#[test]
 fn what_is_not_a_number_is_never_right() {
     let functions = InterpolationFunctions {
         interpolate_angles: |_, _, _| [f32::NAN; 3],
@@ -160,7 +189,7 @@ fn lists_that_are_too_short_or_too_long_are_wrong() {
         assert_eq!(report.points(), 0, "{report:?}");
         assert!(first_case(&report, "euler").difference.expected.contains("one for every joint"));
         let whole = whole(functions);
-        assert!(matches!(whole.trouble, Some(Trouble::Failed(_))), "{whole:?}");
+        assert!(matches!(whole.trouble, Some(Trouble::Different { .. })), "{whole:?}");
     }
 }
 

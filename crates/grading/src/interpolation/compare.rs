@@ -94,7 +94,7 @@ pub(super) fn rotations(case: &Case, expected: &Answer, got: &Answer) -> Option<
     };
     let [right_count, count] = [right, answer].map(|frame| frame.local.rotations.len());
     if right_count != count {
-        return other_count("rotations", right_count, count);
+        return other_count("rotation", right_count, count);
     }
     // Whoever asks whether these are a misconception's answers asks for those and no others.
     let own = if *expected == case.expected { own_rotations(skeleton, answer) } else { Vec::new() };
@@ -114,7 +114,7 @@ pub(super) fn positions(case: &Case, expected: &Answer, got: &Answer) -> Option<
     };
     let [right_count, count] = [right, answer].map(|frame| frame.local.positions.len());
     if right_count != count {
-        return other_count("positions", right_count, count);
+        return other_count("position", right_count, count);
     }
     let pairs = right.local.positions.iter().zip(&answer.local.positions);
     skeleton.joints().iter().zip(pairs).find_map(|(joint, (right, got))| {
@@ -154,11 +154,14 @@ fn own_rotations(skeleton: &Skeleton, answer: &FrameAnswer) -> Vec<Vec<Quat>> {
     if turned.len() > 1 && are_alike { Vec::new() } else { own }
 }
 
+/// `what` is the word for one of them.
 fn other_count(what: &str, expected: usize, got: usize) -> Option<Difference> {
+    let counted = |count: usize| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let more_or_fewer = if got > expected { "too many" } else { "missing" };
     Some(Difference {
-        got: format!("{got} {what}"),
-        expected: format!("{expected} {what}, one for every joint and End Site"),
-        between: format!("{} {what}", expected.abs_diff(got)),
+        got: counted(got),
+        expected: format!("{}, one for every joint and End Site", counted(expected)),
+        between: format!("{} {more_or_fewer}", counted(expected.abs_diff(got))),
     })
 }
 

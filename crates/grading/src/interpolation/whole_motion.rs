@@ -19,8 +19,8 @@ pub(super) struct RightFrames {
 
 impl Judge for RightFrames {
     fn judge(&self, answer: &Answer) -> WholeReport {
-        let Some(got) = frames(answer).filter(|got| self.fits(got)) else {
-            let why = "the frames do not fit the skeleton".to_owned();
+        let Some(got) = frames(answer).filter(|got| got.len() == self.ts.len()) else {
+            let why = "the frames are not those that were asked for".to_owned();
             return WholeReport::failed(Failure::Unreadable { why });
         };
         let moments = self.ts.len();
@@ -29,6 +29,9 @@ impl Judge for RightFrames {
              moments."
         );
         let report = |trouble| WholeReport { frames: moments, praise, trouble };
+        if let Some(trouble) = got.iter().find_map(|pose| self.other_count(pose)) {
+            return report(Some(trouble));
+        }
         let Some(exact) = frames(&self.expected) else { return report(None) };
         // What part 3 accepts is accepted here too.
         let ways: Vec<Answer> =
@@ -58,11 +61,17 @@ struct Off {
 }
 
 impl RightFrames {
-    /// One frame for each moment, in which every joint has a rotation and a position.
-    fn fits(&self, got: &[LocalPose]) -> bool {
+    /// What is wrong with a frame in which some joint has no rotation or no position.
+    fn other_count(&self, pose: &LocalPose) -> Option<Trouble> {
         let joints = self.skeleton.len();
-        let is_whole = |pose: &LocalPose| pose.rotations.len() == joints && pose.positions.len() == joints;
-        got.len() == self.ts.len() && got.iter().all(is_whole)
+        let (rotations, positions) = (pose.rotations.len(), pose.positions.len());
+        ((rotations, positions) != (joints, joints)).then(|| Trouble::Different {
+            summary: format!(
+                "With your functions, a frame has {rotations} rotations and {positions} positions. The skeleton has \
+                 {joints} joints and End Sites, and each needs one of both."
+            ),
+            details: Vec::new(),
+        })
     }
 
     fn trouble(&self, expected: &[LocalPose], got: &[LocalPose]) -> Option<Trouble> {

@@ -11,16 +11,16 @@ use crate::output::edit::Method;
 /// How many keyframes there are to be when nobody says so.
 const USUAL: usize = 20;
 
-/// Options that have to do with the window or a picture, and mean nothing here.
-const OF_PICTURES: [&str; 12] = [
-    "output", "frame", "frames", "pictures", "speed", "size", "scale", "camera", "lines", "joint", "hide",
-    "show",
+/// Options that have to do with the window or a picture, or with the student's functions, and mean nothing here.
+const MEANINGLESS: [&str; 13] = [
+    "exercise", "output", "frame", "frames", "pictures", "speed", "size", "scale", "camera", "lines",
+    "joint", "hide", "show",
 ];
 
 /// A motion reduced to keyframes, and what that costs.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Keyframes (the reference solution chooses and interpolates)")]
-#[command(group = ArgGroup::new("reduction").multiple(true).conflicts_with_all(OF_PICTURES))]
+#[command(group = ArgGroup::new("reduction").multiple(true).conflicts_with_all(MEANINGLESS))]
 pub struct KeyframeArguments {
     /// Writes the motion reduced to keyframes, with all frames between them interpolated, so that every program plays
     /// it
@@ -36,7 +36,7 @@ pub struct KeyframeArguments {
     csv: Option<PathBuf>,
 
     /// How many keyframes stay; the curves end there [default: 20]
-    #[arg(long, value_name = "N", requires = "reduction")]
+    #[arg(long, value_name = "N", requires = "reduction", allow_negative_numbers = true)]
     keyframes: Option<usize>,
 
     /// What is interpolated in the motion that --out writes; the curves are for both

@@ -8,6 +8,7 @@ use plotters::prelude::*;
 use reduction::Curve;
 
 /// Width and height. A picture of lines has no pixels, but plotters places everything on whole ones: many make curves smooth.
+/// It is shown at half this size, so that it fits into a window.
 const SIZE: (u32, u32) = (1600, 1500);
 /// The height of the title and the upper curves.
 const UPPER: u32 = 850;
@@ -36,7 +37,12 @@ pub fn svg(title: &str, frame_count: usize, euler: &Curve, quaternions: &Curve) 
     }
     let mut text = String::new();
     draw(&mut text, title, frame_count, curves).map_err(|error| error.to_string())?;
-    Ok(text)
+    Ok(text.replacen(&size_of(SIZE), &size_of((SIZE.0 / 2, SIZE.1 / 2)), 1))
+}
+
+/// The attributes that say how large a picture is shown. The viewBox keeps the size in which it was drawn.
+fn size_of((width, height): (u32, u32)) -> String {
+    format!("width=\"{width}\" height=\"{height}\"")
 }
 
 fn draw(
@@ -118,15 +124,16 @@ impl Panel<'_> {
             .draw()?;
 
         let (dash, gap) = (22, 14);
-        let dashed = ShapeStyle::from(VERMILION).stroke_width(5);
-        let solid = ShapeStyle::from(BLUE).stroke_width(4);
+        // As in the window: quaternions are the dashed blue line.
+        let solid = ShapeStyle::from(VERMILION).stroke_width(4);
+        let dashed = ShapeStyle::from(BLUE).stroke_width(5);
         chart
-            .draw_series(LineSeries::new(quaternions, solid))?
-            .label("quaternions")
+            .draw_series(LineSeries::new(euler, solid))?
+            .label("Euler angles")
             .legend(move |(x, y)| PathElement::new(vec![(x, y), (x + 96, y)], solid));
         chart
-            .draw_series(DashedLineSeries::new(euler, dash, gap, dashed))?
-            .label("Euler angles")
+            .draw_series(DashedLineSeries::new(quaternions, dash, gap, dashed))?
+            .label("quaternions")
             .legend(move |(x, y)| DashedPathElement::new(vec![(x, y), (x + 96, y)], dash, gap, dashed));
         if has_legend {
             chart
@@ -202,7 +209,7 @@ mod tests {
         let errors: Vec<f64> = (0..120).map(|n| f64::from(n).powi(2)).collect();
         let text = svg("a <dance> & \"more\"", 141, &curve(&errors), &curve(&errors[..100])).unwrap();
         for part in [
-            "<svg ",
+            "<svg width=\"800\" height=\"750\" viewBox=\"0 0 1600 1500\"",
             "#0072B2",
             "#D55E00",
             "quaternions",
@@ -215,7 +222,7 @@ mod tests {
             assert!(text.contains(part), "{part} is missing");
         }
         // The dashes are many lines, the other curve is one.
-        assert!(text.matches("#D55E00").count() > 20 && text.matches("#0072B2").count() == 3);
+        assert!(text.matches("#0072B2").count() > 20 && text.matches("#D55E00").count() == 3);
     }
 
     #[test]
