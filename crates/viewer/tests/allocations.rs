@@ -5,13 +5,17 @@ mod support;
 
 use std::sync::Arc;
 
+use exam::{Functions, InProcess};
 use skeleton::Representation;
 use viewer::draw::Painter;
 use viewer::draw::canvas::Canvas;
 use viewer::edit::ReferenceHand;
+use viewer::live::board::Board;
+use viewer::live::package::Package;
+use viewer::live::student::{Standing, Status};
 use viewer::scene::{Look, Scene, Style};
 use viewer::view::answers::Recorded;
-use viewer::view::app::{App, Shown};
+use viewer::view::app::{App, Shown, Sister};
 
 const SIZE: (usize, usize) = (960, 540);
 
@@ -73,13 +77,17 @@ fn from_the_frames_angles_to_pixels_nothing_is_allocated() {
     }
 }
 
-/// As the window does it while a motion is edited, with all that can be shown of that.
+/// As the window does it while a motion is edited, with all that can be shown of that, by the reference and by a student.
 #[test]
 fn an_edited_motion_allocates_nothing_either() {
     const FRAMES: usize = 60;
     let stage = Arc::new(support::stage());
-    for (automatic, beside) in [(true, false), (false, true)] {
+    for (automatic, beside, package) in
+        [(true, false, None), (false, true, None), (true, true, Some(Package::Keyframes))]
+    {
         let mut app = App::new(stage.clone(), "running.bvh".into(), Vec::new(), SIZE);
+        app.select(Some(3));
+        app.show_sister(package.map(|package| Sister { package, standing: answered(package) }));
         let edit = &mut app.settings.edit;
         (edit.automatic, edit.beside) = (automatic, beside);
         (edit.errors, edit.plot, edit.stretch) = (true, true, Some(Representation::Quaternion));
@@ -98,6 +106,13 @@ fn an_edited_motion_allocates_nothing_either() {
             assert_eq!(counted.count_total, 0, "frame {frame}: {counted:?}");
         }
     }
+}
+
+/// How things stand with functions that have answered, and have their points.
+fn answered(package: Package) -> Standing {
+    let mut subject = InProcess(Functions::keyframes(solutions::KEYFRAMES));
+    let board = Some(Arc::new(Board::of(&mut subject, package)));
+    Standing { status: Status::Answered, current: true, board, former: None, grading: false }
 }
 
 #[test]

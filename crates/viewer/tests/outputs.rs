@@ -8,6 +8,13 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use command::view;
+use skeleton::{PositionChannels, Representation};
+use viewer::edit::ReferenceHand;
+use viewer::motion::source::Source;
+use viewer::output::picture;
+use viewer::view::app::{App, Shown};
+use viewer::view::gallery::Gallery;
+use viewer::view::screen::Screen;
 
 const SMALL: [&str; 3] = ["--solution", "--size", "160x120"];
 
@@ -124,6 +131,83 @@ fn everything_that_can_be_changed_changes_the_picture() {
     ] {
         assert!(picture(change) != usual, "{change:?}");
     }
+}
+
+/// The picture of frame 60 of the dance with its settings changed, as the window shows it.
+fn in_the_window(file: &Path, change: impl FnOnce(&mut App)) -> Vec<u8> {
+    const SIZE: (usize, usize) = (800, 600);
+    let source = Source { path: data("dance.bvh").into(), positions: PositionChannels::Replace, up: None };
+    let loaded = source.read().unwrap();
+    let mut app = App::new(loaded.stage, source.title(), loaded.warnings, SIZE);
+    app.settings.still = true;
+    change(&mut app);
+    app.edit(&mut ReferenceHand::default());
+    app.go_to(60);
+    let mut screen = Screen::new(SIZE);
+    screen.update(&mut Gallery::new(vec![app]), |_| Shown::Reference, SIZE);
+    picture::save(screen.canvas(), file).unwrap();
+    fs::read(file).unwrap()
+}
+
+#[test]
+fn a_picture_begins_with_as_many_keyframes_as_are_asked_for() {
+    let folder = Folder::new();
+    let path = folder.path("picture.png");
+    for (options, keyframes, representation) in [
+        (&["--keyframes", "12"][..], 12, Representation::Quaternion),
+        (&["--keyframes", "7", "--mode", "euler"], 7, Representation::Euler),
+        (&["--mode", "euler"], 20, Representation::Euler),
+    ] {
+        let expected = in_the_window(&folder.path("expected.png"), |app| {
+            let edit = &mut app.settings.edit;
+            (edit.automatic, edit.keyframes, edit.representation) = (true, keyframes, representation);
+        });
+        // The student's functions are not seen, and not asked: both figures are the reference's.
+        for whose in [&["--solution"][..], &[]] {
+            let path = path.to_str().unwrap();
+            let file = [&*data("dance.bvh"), "--frame", "60", "--size", "800x600", "--png", path];
+            let output = view(&[&file, options, whose].concat());
+            assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+            assert!(fs::read(path).unwrap() == expected, "{options:?} {whose:?}");
+        }
+    }
+    assert!(in_the_window(&folder.path("expected.png"), |_| ()) != fs::read(&path).unwrap());
+}
+
+#[test]
+fn films_and_sheets_begin_with_keyframes_too() {
+    let folder = Folder::new();
+    for (option, name) in [("--gif", "film.gif"), ("--apng", "film.apng"), ("--sheet", "sheet.png")] {
+        let path = folder.path(name);
+        let made = |keyframes: &[&str]| {
+            let wanted = [&*data("dance.bvh"), option, path.to_str().unwrap(), "--frames", "50..56/2"];
+            small(&[&wanted, keyframes].concat()).unwrap();
+            fs::read(&path).unwrap()
+        };
+        let [usual, few, more] = [&[][..], &["--keyframes", "5"], &["--keyframes", "9"]].map(made);
+        assert!(usual != few && few != more, "{option}");
+    }
+}
+
+/// Where there are no words in the picture, the terminal tells.
+#[test]
+fn a_motion_that_is_too_long_for_keyframes_is_told_and_shown_as_it_is() {
+    let folder = Folder::new();
+    let (file, sheet) = (folder.path("long.bvh"), folder.path("sheet.png"));
+    let joints = "JOINT j\n{\nOFFSET 0 1 0\nCHANNELS 0\n}\n".repeat(4000);
+    let rows = "0\n".repeat(1500);
+    let text = format!(
+        "HIERARCHY\nROOT r\n{{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n{joints}}}\nMOTION\nFrames: 1500\nFrame Time: 0.1\n{rows}"
+    );
+    fs::write(&file, text).unwrap();
+    let wanted = [file.to_str().unwrap(), "--keyframes", "20", "--frames", "0..9/9", "--sheet"];
+    let output = view(&[&SMALL, &wanted[..], &[sheet.to_str().unwrap()]].concat());
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && sheet.is_file(), "{said}");
+    assert!(
+        said.starts_with("long.bvh: only the original is shown: too long: 1500 frames of 4001 joints"),
+        "{said}"
+    );
 }
 
 #[test]

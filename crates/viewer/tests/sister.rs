@@ -7,6 +7,7 @@
 mod support;
 
 use std::fs;
+use std::ops::ControlFlow;
 use std::process::Command;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
@@ -104,6 +105,10 @@ fn picture(course: &Course, arguments: &[&str]) -> (Vec<u8>, String) {
     (fs::read(file).unwrap(), said)
 }
 
+fn go_on(_: usize, _: usize) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
 fn save(course: &Course, package: Package, source: &str) {
     support::write(&package.sources(&course.folder).join(package.file()), source.as_bytes());
 }
@@ -129,8 +134,9 @@ fn saved_functions_make_the_frames_between_and_their_troubles_are_told_with_thei
     let mut desk = Desk::open(package, INTERPOLATION);
     let mut hand = desk.next_hand();
     for representation in Representation::ALL {
-        let students = hand.between(&desk.stage, representation, 3, 120).unwrap();
-        let right = ReferenceHand::default().between(&desk.stage, representation, 3, 120).unwrap();
+        let students = hand.between(&desk.stage, representation, 3, 120, &mut go_on).unwrap();
+        let right =
+            ReferenceHand::default().between(&desk.stage, representation, 3, 120, &mut go_on).unwrap();
         assert_eq!(students, right);
     }
     desk.until("the answer", |standing, _| standing.current.then_some(()));
@@ -144,8 +150,8 @@ fn saved_functions_make_the_frames_between_and_their_troubles_are_told_with_thei
     let panicking = INTERPOLATION.replace(begin, "assert!(t < 0.5, \"only so far\");\n    std::array");
     desk.save(&panicking);
     let mut hand = desk.next_hand();
-    assert!(hand.between(&desk.stage, Representation::Quaternion, 0, 4).is_ok());
-    assert!(hand.between(&desk.stage, Representation::Euler, 0, 4).is_err());
+    assert!(hand.between(&desk.stage, Representation::Quaternion, 0, 4, &mut go_on).is_ok());
+    assert!(hand.between(&desk.stage, Representation::Euler, 0, 4, &mut go_on).is_err());
     let trouble = desk.trouble();
     assert!(trouble.headline.contains("only so far"), "{trouble:?}");
     assert!(told_at(&trouble, &place(package, &panicking, "only so far")), "{trouble:?}");
@@ -178,7 +184,8 @@ fn saved_functions_choose_keyframes_and_a_loop_ends_with_the_next_save() {
     let mut desk = Desk::open(Package::Keyframes, &KEYFRAMES.replace(begin, &looping));
     let mut hand = desk.next_hand();
     let stage = desk.stage.clone();
-    let asked = thread::spawn(move || hand.reduce(&stage, Representation::Quaternion, &[12]).map(|_| ()));
+    let asked =
+        thread::spawn(move || hand.reduce(&stage, Representation::Quaternion, &[12], &mut go_on).map(|_| ()));
     let process = desk.until("the loop", |_, _| fs::read_to_string(&note).ok().filter(|id| !id.is_empty()));
     desk.save(KEYFRAMES);
     let mut hand = desk.next_hand();
@@ -190,8 +197,10 @@ fn saved_functions_choose_keyframes_and_a_loop_ends_with_the_next_save() {
     assert_eq!(desk.sister.standing(0).status, Status::Asking, "the trouble is that of an older version");
 
     let counts = [2, 12, 141, 999];
-    let students = hand.reduce(&desk.stage, Representation::Quaternion, &counts).unwrap();
-    let right = ReferenceHand::default().reduce(&desk.stage, Representation::Quaternion, &counts).unwrap();
+    let students = hand.reduce(&desk.stage, Representation::Quaternion, &counts, &mut go_on).unwrap();
+    let right = ReferenceHand::default()
+        .reduce(&desk.stage, Representation::Quaternion, &counts, &mut go_on)
+        .unwrap();
     for (students, right) in students.iter().zip(&right) {
         assert_eq!(students.keyframes, right.keyframes);
         assert!((students.error - right.error).abs() <= 1e-3 * right.error);

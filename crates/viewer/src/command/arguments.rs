@@ -238,7 +238,7 @@ impl Arguments {
                 } = shown;
             }
         }
-        settings.edit = EditSettings::for_exercise(self.exercise);
+        settings.edit = self.keyframes.begin(EditSettings::for_exercise(self.exercise));
         settings.style = if self.lines { Style::Lines } else { Style::Lit };
         settings.text_scale = self.scale;
         // Captions say what there is to say on a sheet.

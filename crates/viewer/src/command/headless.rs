@@ -78,12 +78,15 @@ impl Studio {
             seconds,
         };
         match arguments.exercise {
-            _ if arguments.solution => edited::by_reference(&mut studio.gallery),
-            Package::Fk => {
-                edited::by_reference(&mut studio.gallery);
-                studio.ask();
+            package @ (Package::Interpolation | Package::Keyframes) if !arguments.solution => {
+                edited::by_student(package, &workspace(), &mut studio.gallery);
             }
-            package => edited::by_student(package, &workspace(), &mut studio.gallery),
+            _ => edited::by_reference(&mut studio.gallery),
+        }
+        // Of an edited motion both figures are the reference's.
+        let is_edited = studio.gallery.apps().iter().any(|app| app.wish().is_some());
+        if arguments.exercise == Package::Fk && !arguments.solution && !is_edited {
+            studio.ask();
         }
         Ok(studio)
     }

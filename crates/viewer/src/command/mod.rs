@@ -11,7 +11,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
 
 use crate::motion::source::{self, Loaded, Source};
 use crate::view::app::App;
@@ -26,6 +27,9 @@ use arguments::Output;
 /// line that cannot be understood.
 pub fn run() -> ExitCode {
     let arguments = Arguments::parse();
+    if let Err(why) = arguments.keyframes.check_mode() {
+        Arguments::command().error(ErrorKind::ArgumentConflict, why).exit();
+    }
     match view(&arguments) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {

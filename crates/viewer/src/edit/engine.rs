@@ -19,8 +19,11 @@ pub struct Engine {
     outcomes: Receiver<Outcome>,
     /// Every wish, hand and stage has a number of its own; results come with it.
     ticket: u64,
-    /// The first ticket of the present stage.
+    /// The first tickets of the present stage and of the present hand.
     stage_since: u64,
+    hand_since: u64,
+    /// The ticket that the newest result came with.
+    made: u64,
     wish: Option<Wish>,
     edited: Option<Arc<Edited>>,
     failure: Option<Arc<NotEdited>>,
@@ -36,6 +39,8 @@ pub struct EngineState<'a> {
     pub edited: Option<&'a Arc<Edited>>,
     /// Whether that was made for an older wish, or by an older hand.
     pub stale: bool,
+    /// Whether it was made by an older hand.
+    pub by_former_hand: bool,
     /// How much of the work is done and how much there is, while it is done.
     pub progress: Option<(usize, usize)>,
     /// Why there is no result for the present wish.
@@ -81,6 +86,8 @@ impl Engine {
             outcomes,
             ticket: 0,
             stage_since: 0,
+            hand_since: 0,
+            made: 0,
             wish: None,
             edited: None,
             failure: None,
@@ -95,6 +102,7 @@ impl Engine {
 
     /// Lets another hand do the work. The present wish is performed anew; until that is done the old result stays, stale.
     pub fn set_hand(&mut self, hand: Box<dyn Hand>) {
+        self.hand_since = self.ticket + 1;
         self.post(|mail| mail.hand = Some(hand));
     }
 
@@ -151,7 +159,7 @@ impl Engine {
             // What was made for an older wish is nearer to the newest one than what was made before.
             Ok(edited) if self.wish.is_some() && outcome.ticket >= self.stage_since => {
                 self.edited = Some(edited);
-                self.current = newest;
+                (self.made, self.current) = (outcome.ticket, newest);
             }
             Err(failure) if newest => self.failure = Some(Arc::new(failure)),
             Ok(_) | Err(_) => return false,
@@ -177,6 +185,7 @@ impl Engine {
         EngineState {
             edited: self.edited.as_ref(),
             stale: wanted && !self.current,
+            by_former_hand: self.edited.is_some() && self.made < self.hand_since,
             progress: (wanted && !self.finished).then(|| *lock(&self.shared.progress)),
             failure: self.failure.as_ref().filter(|_| wanted),
         }
@@ -237,9 +246,11 @@ impl Worker {
         let (Some(hand), Some(stage)) = (&mut self.hand, &self.stage) else { return Err(NotEdited::Ended) };
         let shared = &self.shared;
         let mut progress = |done: usize, of: usize| {
+            if shared.ticket.load(Ordering::Relaxed) != ticket {
+                return ControlFlow::Break(());
+            }
             *lock(&shared.progress) = (done, of);
-            let newest = shared.ticket.load(Ordering::Relaxed) == ticket;
-            if newest { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            ControlFlow::Continue(())
         };
         let is_same = |last: &&Arc<Edited>| {
             last.wish.representation == wish.representation && last.wish.keys == wish.keys

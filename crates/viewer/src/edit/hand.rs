@@ -14,7 +14,8 @@ pub type Progress<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 
 /// Interpolates, and chooses keyframes: the reference, or a student's functions where the exercise is theirs.
 ///
-/// It is asked on a thread of its own and may take its time.
+/// It is asked on a thread of its own and may take its time. What comes of work that `progress` broke off is of no use. Where
+/// nobody knows how far the work is, nothing is told.
 pub trait Hand: Send {
     /// Reduces the motion to each of these numbers of keyframes.
     ///
@@ -26,6 +27,7 @@ pub trait Hand: Send {
         stage: &Stage,
         representation: Representation,
         counts: &[usize],
+        progress: Progress,
     ) -> Result<Vec<Reduction>, Failure>;
 
     /// All frames between the keyframes `start` and `end`, without these two.
@@ -39,28 +41,12 @@ pub trait Hand: Send {
         representation: Representation,
         start: usize,
         end: usize,
+        progress: Progress,
     ) -> Result<Vec<LocalPose>, Failure>;
 
     /// Whose functions these are.
     fn makers(&self) -> Makers {
         Makers::default()
-    }
-
-    /// The same as [`reduce`](Hand::reduce), where it can be told how far it is. What comes of work that was broken off is
-    /// of no use.
-    ///
-    /// # Errors
-    ///
-    /// When a student's functions gave no answer.
-    fn reduce_step_by_step(
-        &mut self,
-        stage: &Stage,
-        representation: Representation,
-        counts: &[usize],
-        progress: Progress,
-    ) -> Result<Vec<Reduction>, Failure> {
-        let _ = progress;
-        self.reduce(stage, representation, counts)
     }
 
     /// How the error grows in both representations, by the reference. `None` when `progress` breaks.

@@ -49,6 +49,13 @@ pub fn is_too_long(stage: &Stage, frames: usize) -> bool {
     stage.motion().skeleton().len().saturating_mul(frames) > MOST_JOINTS
 }
 
+/// The root of the mean of the squared distances between where a tip is and where it should be, in the file's unit. `error`
+/// is the sum of the squares, over so many `places`: tips in all frames. 0 where there are none.
+pub fn root_mean_square(error: f64, places: usize) -> f64 {
+    // A sum of many differences may come out a little below 0. What is not a number stays none.
+    (error.clamp(0.0, f64::INFINITY) / places.max(1) as f64).sqrt()
+}
+
 /// Edits the motion on `stage` as it is wished, here and now.
 ///
 /// Curves are left out where the whole motion is too long for them, though the stretch is not.
@@ -109,7 +116,9 @@ pub(super) fn interpolate(
         if end - start == 1 {
             continue;
         }
-        let locals = hand.between(stage, wish.representation, start, end)?;
+        let mut of_all = |done: usize, _: usize| progress(start - first + done, last - first);
+        let locals =
+            unbroken(&mut of_all, |progress| hand.between(stage, wish.representation, start, end, progress))?;
         see_to_locals(&locals, end - start - 1, stage)?;
         for (local, frame) in locals.iter().zip(start + 1..end) {
             let mut pose = Pose::default();
@@ -123,7 +132,7 @@ pub(super) fn interpolate(
             return Err(NotEdited::BrokenOff);
         }
     }
-    let places = (scale.tips.len() * (last - first + 1)).max(1);
+    let places = scale.tips.len() * (last - first + 1);
     let makers = match wish.keys {
         Keys::Automatic(_) => hand.makers(),
         // Nobody's functions have chosen these.
@@ -135,7 +144,7 @@ pub(super) fn interpolate(
         keyframes,
         interpolated,
         error,
-        distance: (error / places as f64).sqrt(),
+        distance: root_mean_square(error, places),
         curves: None,
         frames: Arc::new(frames),
     })
@@ -157,16 +166,8 @@ fn keyframes(
         Keys::Automatic(wanted) => wanted,
     };
     see_to_length(stage, count)?;
-    let mut broken = false;
-    let mut watched = |done: usize, of: usize| {
-        let told = progress(done, of);
-        broken |= told.is_break();
-        told
-    };
-    let reductions = hand.reduce_step_by_step(stage, wish.representation, &[wanted], &mut watched)?;
-    if broken {
-        return Err(NotEdited::BrokenOff);
-    }
+    let reductions =
+        unbroken(progress, |progress| hand.reduce(stage, wish.representation, &[wanted], progress))?;
     let [reduction] = &reductions[..] else {
         return Err(NotEdited::Odd(format!("{} reductions came back instead of one", reductions.len())));
     };
@@ -181,6 +182,20 @@ fn keyframes(
         )));
     }
     Ok(keyframes.clone())
+}
+
+/// What comes of `work`, unless `progress` breaks while it is done.
+fn unbroken<T>(
+    progress: Progress,
+    work: impl FnOnce(Progress) -> Result<T, Failure>,
+) -> Result<T, NotEdited> {
+    let mut broken = false;
+    let done = work(&mut |done, of| {
+        let told = progress(done, of);
+        broken |= told.is_break();
+        told
+    });
+    if broken { Err(NotEdited::BrokenOff) } else { Ok(done?) }
 }
 
 fn see_to_length(stage: &Stage, frames: usize) -> Result<(), NotEdited> {

@@ -1,6 +1,5 @@
 //! A motion reduced to any number of keyframes, by the reference.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use exam::keyframes::Reduction;
@@ -43,9 +42,7 @@ impl Reductions {
         let frames = self.frames.len();
         let reduction = |count: &usize| {
             let removed = frames.saturating_sub((*count).max(2)).min(curve.removed.len());
-            let mut stays = vec![true; frames];
-            curve.removed[..removed].iter().for_each(|frame| stays[*frame] = false);
-            let keyframes = (0..frames).filter(|frame| stays[*frame]).collect();
+            let keyframes = remaining(frames, &curve.removed[..removed]);
             Reduction { keyframes, error: curve.errors[removed] }
         };
         Some(counts.iter().map(reduction).collect())
@@ -96,17 +93,19 @@ impl Reductions {
             && self.frames.iter().enumerate().all(&mut is_same);
         if !same {
             self.skeleton = motion.skeleton().clone();
-            self.frames = (0..motion.frame_count()).map(|frame| stage.frame(frame)).collect();
+            self.frames = stage.frames();
             self.curves = [None, None];
         }
     }
 }
 
-fn index(representation: Representation) -> usize {
-    usize::from(representation == Representation::Quaternion)
+/// The frames that stay when some of so many are removed.
+pub fn remaining(frame_count: usize, removed: &[usize]) -> Vec<usize> {
+    let mut stays = vec![true; frame_count];
+    removed.iter().for_each(|frame| stays[*frame] = false);
+    (0..frame_count).filter(|frame| stays[*frame]).collect()
 }
 
-/// For work that nobody wants to hear of.
-pub(super) fn silent(_: usize, _: usize) -> ControlFlow<()> {
-    ControlFlow::Continue(())
+fn index(representation: Representation) -> usize {
+    usize::from(representation == Representation::Quaternion)
 }

@@ -5,7 +5,7 @@ use exam::keyframes::Reduction;
 use skeleton::{LocalPose, Representation};
 
 use super::hand::{Hand, Progress};
-use super::reductions::{Curves, Reductions, silent};
+use super::reductions::{Curves, Reductions};
 use crate::motion::stage::Stage;
 
 /// Interpolates as the solution does, and chooses keyframes greedily. Remembers the order in which it removes keyframes,
@@ -21,8 +21,9 @@ impl Hand for ReferenceHand {
         stage: &Stage,
         representation: Representation,
         counts: &[usize],
+        progress: Progress,
     ) -> Result<Vec<Reduction>, Failure> {
-        self.reduce_step_by_step(stage, representation, counts, &mut silent)
+        Ok(self.reductions.reduce(stage, representation, counts, progress).unwrap_or_default())
     }
 
     fn between(
@@ -31,6 +32,7 @@ impl Hand for ReferenceHand {
         representation: Representation,
         start: usize,
         end: usize,
+        progress: Progress,
     ) -> Result<Vec<LocalPose>, Failure> {
         let skeleton = stage.motion().skeleton();
         let (from, to) = (stage.frame(start), stage.frame(end));
@@ -38,17 +40,14 @@ impl Hand for ReferenceHand {
         let interpolate = solutions::INTERPOLATION.interpolate_frame;
         let at =
             |frame: usize| interpolate(skeleton, &from, &to, (frame - start) as f32 / length, representation);
-        Ok((start + 1..end).map(at).collect())
-    }
-
-    fn reduce_step_by_step(
-        &mut self,
-        stage: &Stage,
-        representation: Representation,
-        counts: &[usize],
-        progress: Progress,
-    ) -> Result<Vec<Reduction>, Failure> {
-        Ok(self.reductions.reduce(stage, representation, counts, progress).unwrap_or_default())
+        let mut poses = Vec::new();
+        for frame in start + 1..end {
+            poses.push(at(frame));
+            if progress(frame - start, end - start).is_break() {
+                break;
+            }
+        }
+        Ok(poses)
     }
 
     fn curves(&mut self, stage: &Stage, progress: Progress) -> Option<Curves> {

@@ -8,7 +8,6 @@ mod diagnostic;
 pub mod package;
 pub mod rebuilder;
 pub mod sister;
-
 pub mod student;
 pub mod version;
 pub mod watch;

@@ -89,7 +89,7 @@ fn help_names_the_options_under_a_heading_and_still_begins_with_the_viewer() {
     let help = String::from_utf8(output.stdout).unwrap();
     assert!(help.starts_with("Shows a motion moved by YOUR functions"), "{help}");
     let (_, section) =
-        help.split_once("Keyframes (the reference solution chooses and interpolates):").unwrap();
+        help.split_once("Keyframes (in files, the reference solution chooses and interpolates):").unwrap();
     for option in ["--out", "--plot", "--csv", "--keyframes", "--mode", "--method", "--overwrite"] {
         assert!(section.contains(option), "{option}");
     }

@@ -110,9 +110,13 @@ fn options_that_mean_nothing_together_are_refused() {
         &["--out", &out, "--size", "100x100"],
         &["--plot", "error.svg", "--camera", "1,2"],
         &["--csv", &csv, "--mode", "euler"],
+        &["--plot", "error.svg", "--csv", &csv, "--mode", "euler"],
         &["--csv", &csv, "--overwrite"],
         &["--out", &out, "--method", "best"],
-        &["--keyframes", "20"],
+        &["--keyframes", "20", "--print"],
+        &["--mode", "euler", "--print"],
+        &["--png", "a.png", "--method", "even"],
+        &["--size", "100x100", "--overwrite"],
     ] {
         let output = view(&[&[&*data("arm.bvh")], wrong].concat());
         assert_eq!(output.status.code(), Some(2), "{wrong:?}");

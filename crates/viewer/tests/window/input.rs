@@ -12,6 +12,10 @@ pub const TESTS: &[(&str, fn())] = &[
     ("a_held_key_goes_on_and_stops", a_held_key_goes_on_and_stops),
     ("the_mouse_turns_moves_and_scrubs", the_mouse_turns_moves_and_scrubs),
     ("keys_edit_the_motion", keys_edit_the_motion),
+    (
+        "the_window_begins_with_keyframes_where_they_are_asked_for",
+        the_window_begins_with_keyframes_where_they_are_asked_for,
+    ),
     ("a_storm_of_sizes_is_survived", a_storm_of_sizes_is_survived),
 ];
 
@@ -135,6 +139,17 @@ fn keys_edit_the_motion() {
     viewer.key("i");
     viewer.key("i");
     wait_for("the motion as it is", || viewer.title().ends_with("/ 141").then_some(()));
+    viewer.close();
+}
+
+fn the_window_begins_with_keyframes_where_they_are_asked_for() {
+    let display = Display::start();
+    let motion = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/dance.bvh");
+    let arguments = [motion, "--solution", "--frame", "93", "--keyframes", "12", "--mode", "euler"];
+    let viewer = Viewer::open(&display, &arguments);
+    wait_for("the title", || viewer.title().ends_with("12 keyframes, Euler angles").then_some(()));
+    let green = color_of(Tint::Keyframe).channels();
+    wait_for("posts on the bar", || (display.picture().count(green) > 12 * 8).then_some(()));
     viewer.close();
 }
 

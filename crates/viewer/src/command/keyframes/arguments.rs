@@ -7,11 +7,10 @@ use skeleton::Representation;
 
 use crate::command::targets::Target;
 use crate::output::edit::Method;
+use crate::view::app::EditSettings;
 
-/// How many keyframes there are to be when nobody says so.
-const USUAL: usize = 20;
-
-/// Options that have to do with the window or a picture, or with the student's functions, and mean nothing here.
+/// Options that have to do with the window or a picture, or with the student's functions, and mean nothing for these files.
+/// Whatever needs a file names them too: next to one of them, clap no longer asks for what is needed.
 const MEANINGLESS: [&str; 13] = [
     "exercise", "output", "frame", "frames", "pictures", "speed", "size", "scale", "camera", "lines",
     "joint", "hide", "show",
@@ -19,7 +18,7 @@ const MEANINGLESS: [&str; 13] = [
 
 /// A motion reduced to keyframes, and what that costs.
 #[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Keyframes (the reference solution chooses and interpolates)")]
+#[command(next_help_heading = "Keyframes (in files, the reference solution chooses and interpolates)")]
 #[command(group = ArgGroup::new("reduction").multiple(true).conflicts_with_all(MEANINGLESS))]
 pub struct KeyframeArguments {
     /// Writes the motion reduced to keyframes, with all frames between them interpolated, so that every program plays
@@ -35,20 +34,21 @@ pub struct KeyframeArguments {
     #[arg(long, value_name = "TABLE", group = "reduction")]
     csv: Option<PathBuf>,
 
-    /// How many keyframes stay; the curves end there [default: 20]
-    #[arg(long, value_name = "N", requires = "reduction", allow_negative_numbers = true)]
+    /// How many keyframes stay: the curves end there, and the window and pictures begin with so many [default: 20]
+    #[arg(long, value_name = "N", conflicts_with = "print", allow_negative_numbers = true)]
     keyframes: Option<usize>,
 
-    /// What is interpolated in the motion that --out writes; the curves are for both
-    #[arg(long, value_enum, default_value_t = Mode::Quaternion, requires = "out")]
-    mode: Mode,
+    /// What is interpolated between them, in the motion that --out writes and at first in the window and in pictures; the
+    /// curves are for both [default: quaternion]
+    #[arg(long, value_enum, conflicts_with = "print")]
+    mode: Option<Mode>,
 
     /// How the keyframes for --out are chosen; the curves are always greedy
-    #[arg(long, value_enum, default_value_t = Method::Greedy, requires = "out")]
+    #[arg(long, value_enum, default_value_t = Method::Greedy, requires = "out", conflicts_with_all = MEANINGLESS)]
     pub method: Method,
 
     /// Lets --out take the place of a file that is there already, though never of FILE
-    #[arg(long, requires = "out")]
+    #[arg(long, requires = "out", conflicts_with_all = MEANINGLESS)]
     overwrite: bool,
 }
 
@@ -106,14 +106,80 @@ impl KeyframeArguments {
 
     /// How many keyframes stay.
     pub fn count(&self) -> usize {
-        self.keyframes.unwrap_or(USUAL)
+        self.keyframes.unwrap_or(EditSettings::default().keyframes)
     }
 
     /// What is interpolated in a motion.
     pub fn representation(&self) -> Representation {
         match self.mode {
-            Mode::Euler => Representation::Euler,
-            Mode::Quaternion => Representation::Quaternion,
+            Some(Mode::Euler) => Representation::Euler,
+            Some(Mode::Quaternion) | None => Representation::Quaternion,
         }
+    }
+
+    /// What the window and pictures begin with: automatic keyframes where anything is said about them, or else `usual`.
+    pub fn begin(&self, usual: EditSettings) -> EditSettings {
+        if self.keyframes.is_none() && self.mode.is_none() {
+            return usual;
+        }
+        let representation = self.representation();
+        let stretch = usual.stretch.map(|_| representation);
+        EditSettings { automatic: true, keyframes: self.count(), representation, stretch, ..usual }
+    }
+
+    /// Sees to it that --mode is not said of curves alone.
+    ///
+    /// # Errors
+    ///
+    /// When it is.
+    pub fn check_mode(&self) -> Result<(), &'static str> {
+        let only_curves = self.out.is_none() && (self.plot.is_some() || self.csv.is_some());
+        match self.mode {
+            Some(_) if only_curves => Err("--mode means nothing for --plot and --csv: they show both"),
+            _ => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{CommandFactory, Parser};
+
+    use super::*;
+    use crate::command::Arguments;
+    use crate::live::package::Package;
+
+    fn begin(words: &[&str], exercise: Package) -> EditSettings {
+        let arguments = Arguments::try_parse_from(["cargo view"].iter().chain(words)).unwrap();
+        arguments.keyframes.begin(EditSettings::for_exercise(exercise))
+    }
+
+    #[test]
+    fn where_keyframes_are_spoken_of_they_are_automatic_and_where_not_all_is_as_usual() {
+        for exercise in [Package::Fk, Package::Interpolation, Package::Keyframes] {
+            let usual = EditSettings::for_exercise(exercise);
+            assert_eq!(begin(&[], exercise), usual);
+            for (words, keyframes, representation) in [
+                (&["--keyframes", "12"][..], 12, Representation::Quaternion),
+                (&["--mode", "euler"], 20, Representation::Euler),
+                (&["--keyframes", "12", "--mode", "euler"], 12, Representation::Euler),
+            ] {
+                let begin = begin(words, exercise);
+                assert_eq!((begin.automatic, begin.keyframes), (true, keyframes));
+                assert_eq!((begin.interpolated(), begin.errors), (Some(representation), usual.errors));
+                // Without automatic keyframes the stretch is there as before, or is not.
+                let by_hand = EditSettings { automatic: false, ..begin };
+                assert_eq!(by_hand.interpolated(), usual.stretch.map(|_| representation));
+            }
+        }
+    }
+
+    #[test]
+    fn the_help_tells_what_is_taken_when_nothing_is_said() {
+        let help = Arguments::command().render_long_help().to_string();
+        let nothing = Arguments::try_parse_from(["cargo view"]).unwrap().keyframes;
+        let count = format!("[default: {}]", nothing.count());
+        assert!(help.contains(&count) && help.contains("[default: quaternion]"), "{help}");
+        assert_eq!(nothing.representation(), Representation::Quaternion);
     }
 }

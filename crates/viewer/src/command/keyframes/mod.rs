@@ -9,7 +9,7 @@ use std::path::Path;
 use indicatif::{ProgressBar, ProgressStyle};
 use parser::{bvh, printable};
 use reduction::{Curve, Errors, curve};
-use skeleton::{Frame, Motion, PositionChannels, Representation};
+use skeleton::{Frame, Motion, Representation};
 
 pub use arguments::KeyframeArguments;
 
@@ -36,7 +36,7 @@ pub fn write(arguments: &KeyframeArguments, sources: &[Source]) -> Result<(), St
     if motion.frame_count() == 0 {
         return Err(format!("{}: there are no frames, and so no keyframes", source.title()));
     }
-    let work = Work { arguments, title: source.title(), motion, frames: frames(motion, source.positions) };
+    let work = Work { arguments, title: source.title(), motion, frames: loaded.stage.frames() };
     if let Some(path) = arguments.out() {
         work.write_motion(path)?;
     }
@@ -44,15 +44,6 @@ pub fn write(arguments: &KeyframeArguments, sources: &[Source]) -> Result<(), St
         work.write_curves()?;
     }
     Ok(())
-}
-
-fn frames(motion: &Motion, positions: PositionChannels) -> Vec<Frame> {
-    let read = |index| {
-        let mut frame = Frame::default();
-        motion.read_frame(index, positions, &mut frame);
-        frame
-    };
-    (0..motion.frame_count()).map(read).collect()
 }
 
 /// A motion, and what is to become of it.

@@ -33,8 +33,9 @@ impl Hand for Gated {
         stage: &Stage,
         representation: Representation,
         counts: &[usize],
+        progress: Progress,
     ) -> Result<Vec<Reduction>, Failure> {
-        self.hand.reduce(stage, representation, counts)
+        self.hand.reduce(stage, representation, counts, progress)
     }
 
     fn between(
@@ -43,11 +44,12 @@ impl Hand for Gated {
         representation: Representation,
         start: usize,
         end: usize,
+        progress: Progress,
     ) -> Result<Vec<LocalPose>, Failure> {
         // Nobody holds the gate any more when a test is over.
         let _ = self.asked.send((start, end));
         let _ = self.leave.recv();
-        self.hand.between(stage, representation, start, end)
+        self.hand.between(stage, representation, start, end, progress)
     }
 
     fn curves(&mut self, stage: &Stage, progress: Progress) -> Option<Curves> {
@@ -111,6 +113,19 @@ fn work_for_an_older_wish_is_broken_off() {
 }
 
 #[test]
+fn work_within_a_stretch_is_broken_off_too() {
+    let stage = stage(30);
+    let mut told = Vec::new();
+    let mut stop = |done, of| {
+        told.push((done, of));
+        if done < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let wish = wish(Keys::Ends(5, 25));
+    let result = perform(&mut ReferenceHand::default(), &stage, &wish, &mut stop);
+    assert_eq!((result.unwrap_err(), told), (NotEdited::BrokenOff, vec![(1, 20), (2, 20), (3, 20)]));
+}
+
+#[test]
 fn an_old_result_stays_until_the_new_one_is_there() {
     let (hand, gate) = gated();
     let mut engine = Engine::start(stage(30), Some(hand));
@@ -142,9 +157,13 @@ fn wishes_wait_for_a_hand_and_another_hand_does_the_work_anew() {
     assert_eq!(second_gate.asked.recv(), Ok((0, 10)));
     engine.update();
     assert_eq!((shown(&engine), engine.state().stale), (Some(Keys::Ends(0, 10)), true));
+    assert!(engine.state().by_former_hand);
+    // The same hand for another wish.
     second_gate.leave.send(()).unwrap();
     engine.settle();
-    assert!(!engine.state().stale);
+    assert!(!engine.state().stale && !engine.state().by_former_hand);
+    engine.want(ends(0, 12));
+    assert!(engine.state().stale && !engine.state().by_former_hand);
 }
 
 #[test]
@@ -218,7 +237,13 @@ fn what_goes_wrong_is_told_until_something_else_is_wanted() {
 struct Panics;
 
 impl Hand for Panics {
-    fn reduce(&mut self, _: &Stage, _: Representation, _: &[usize]) -> Result<Vec<Reduction>, Failure> {
+    fn reduce(
+        &mut self,
+        _: &Stage,
+        _: Representation,
+        _: &[usize],
+        _: Progress,
+    ) -> Result<Vec<Reduction>, Failure> {
         panic!("this one is meant to")
     }
 
@@ -228,6 +253,7 @@ impl Hand for Panics {
         _: Representation,
         _: usize,
         _: usize,
+        _: Progress,
     ) -> Result<Vec<LocalPose>, Failure> {
         panic!("this one is meant to")
     }

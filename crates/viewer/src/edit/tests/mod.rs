@@ -31,6 +31,10 @@ fn edited(stage: &Stage, wish: &Wish) -> Edited {
     perform(&mut ReferenceHand::default(), stage, wish, &mut go_on).unwrap()
 }
 
+fn reduced(hand: &mut ReferenceHand, stage: &Stage, count: usize) -> Reduction {
+    hand.reduce(stage, Representation::Euler, &[count], &mut go_on).unwrap().remove(0)
+}
+
 /// The sum of the squared distances of the tips of two poses.
 fn error(stage: &Stage, a: &Pose, b: &Pose) -> f64 {
     let place = |pose: &Pose, tip: usize| pose.transforms()[tip].position;
@@ -75,10 +79,19 @@ fn automatic_keyframes_are_as_many_as_were_wanted_and_those_of_the_reference() {
     for count in [2, 3, 7, 39, 40] {
         let edited = edited(&stage, &wish(Keys::Automatic(count)));
         assert_eq!((edited.keyframes.len(), edited.interpolated), (count, 40 - count));
-        let reduction = &ReferenceHand::default().reduce(&stage, Representation::Euler, &[count]).unwrap()[0];
+        let reduction = reduced(&mut ReferenceHand::default(), &stage, count);
         assert_eq!(edited.keyframes, reduction.keyframes);
         assert!((edited.error - reduction.error).abs() <= 1e-5 * (1.0 + reduction.error), "{count}");
     }
+}
+
+#[test]
+fn what_is_no_number_has_no_root_and_what_rounding_brings_below_0_has() {
+    assert_eq!(
+        [(18.0, 2), (-1e-9, 3), (0.0, 0)].map(|(error, places)| root_mean_square(error, places)),
+        [3.0, 0.0, 0.0]
+    );
+    assert!(root_mean_square(f64::NAN, 3).is_nan());
 }
 
 #[test]
@@ -118,8 +131,8 @@ fn another_motion_is_not_taken_for_the_one_before() {
     let mut hand = ReferenceHand::default();
     for (frames, scale) in [(30, 1.0), (30, 2.0), (20, 2.0)] {
         let stage = Stage::new(samples::chain(frames, scale), PositionChannels::Replace);
-        let used = hand.reduce(&stage, Representation::Euler, &[6]).unwrap();
-        let fresh = ReferenceHand::default().reduce(&stage, Representation::Euler, &[6]).unwrap();
+        let used = reduced(&mut hand, &stage, 6);
+        let fresh = reduced(&mut ReferenceHand::default(), &stage, 6);
         assert_eq!(used, fresh);
     }
 }
@@ -150,7 +163,13 @@ fn a_motion_with_too_many_poses_says_so_and_a_stretch_of_it_is_edited() {
 struct Says(Vec<Reduction>, Vec<LocalPose>);
 
 impl Hand for Says {
-    fn reduce(&mut self, _: &Stage, _: Representation, _: &[usize]) -> Result<Vec<Reduction>, Failure> {
+    fn reduce(
+        &mut self,
+        _: &Stage,
+        _: Representation,
+        _: &[usize],
+        _: Progress,
+    ) -> Result<Vec<Reduction>, Failure> {
         Ok(self.0.clone())
     }
 
@@ -160,6 +179,7 @@ impl Hand for Says {
         _: Representation,
         _: usize,
         _: usize,
+        _: Progress,
     ) -> Result<Vec<LocalPose>, Failure> {
         match self.1.is_empty() {
             true => Err(Failure::Panicked { message: "not today".into(), location: None }),

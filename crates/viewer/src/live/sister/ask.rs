@@ -8,6 +8,7 @@ use exam::{Answer, Failure, Question, Subject};
 use grading::{interpolation, keyframes};
 use skeleton::{LocalPose, Representation, Skeleton};
 
+use crate::edit::Progress;
 use crate::live::worker::Trouble;
 use crate::motion::stage::Stage;
 
@@ -45,30 +46,37 @@ impl Wrong {
     }
 }
 
-/// Asks for all frames between the keyframes of `stretch`. `hush` is called before questions are put whose answers are
+/// Asks for all frames between the keyframes of `stretch`, or as many as `progress` lets it. `hush` is called before questions are put whose answers are
 /// not shown.
 pub(super) fn between(
     subject: &mut dyn Subject,
     stage: &Stage,
     representation: Representation,
     stretch: (usize, usize),
+    progress: Progress,
     hush: impl FnOnce(),
 ) -> Result<Vec<LocalPose>, Wrong> {
     let stretch = Stretch::new(stage, representation, stretch);
     let at_once = (JOINTS_AT_ONCE / stage.motion().skeleton().len().max(1)).max(1);
     let frames: Vec<usize> = (stretch.start + 1..stretch.end).collect();
-    let mut poses = Vec::with_capacity(frames.len());
+    let (count, mut poses) = (frames.len(), Vec::with_capacity(frames.len()));
     for frames in frames.chunks(at_once) {
         match stretch.ask(subject, frames, PATIENCE) {
-            Ok(some) => poses.extend(some),
+            Ok(some) => {
+                // Before the next question: nothing is collected that cannot be used.
+                for (frame, pose) in frames.iter().zip(&some) {
+                    stretch.check(*frame, pose)?;
+                }
+                poses.extend(some);
+            }
             Err(failure) => {
                 hush();
                 return Err(stretch.find(subject, frames, failure));
             }
         }
-    }
-    for (frame, pose) in frames.iter().zip(&poses) {
-        stretch.check(*frame, pose)?;
+        if progress(poses.len(), count).is_break() {
+            break;
+        }
     }
     Ok(poses)
 }
@@ -182,7 +190,7 @@ pub(super) fn reduce(
     let frame_count = stage.frame_count();
     let question = KeyframesQuestion::Motion {
         skeleton: stage.motion().skeleton().clone(),
-        frames: (0..frame_count).map(|frame| stage.frame(frame)).collect(),
+        frames: stage.frames(),
         representation,
         counts: counts.to_vec(),
     };

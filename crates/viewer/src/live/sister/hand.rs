@@ -47,7 +47,6 @@ impl<S: Subject> StudentHand<S> {
                 Ok(answer)
             }
             Err(Wrong { failure, trouble }) => {
-                // Nobody wants an abandoned version's answers, and it has been told why.
                 let trouble = Arc::new(trouble);
                 self.report.send(Event::Trouble(self.motion, Arc::clone(&trouble)));
                 self.report.tell_once(News::Trouble(trouble));
@@ -63,10 +62,12 @@ impl<S: Subject + Send> Hand for StudentHand<S> {
         stage: &Stage,
         representation: Representation,
         counts: &[usize],
+        progress: Progress,
     ) -> Result<Vec<Reduction>, Failure> {
         match self.package {
+            // How far they are is known to nobody.
             Package::Keyframes => self.ask(|subject, _| ask::reduce(subject, stage, representation, counts)),
-            Package::Fk | Package::Interpolation => self.rest.reduce(stage, representation, counts),
+            Package::Fk | Package::Interpolation => self.rest.reduce(stage, representation, counts, progress),
         }
     }
 
@@ -76,12 +77,16 @@ impl<S: Subject + Send> Hand for StudentHand<S> {
         representation: Representation,
         start: usize,
         end: usize,
+        progress: Progress,
     ) -> Result<Vec<LocalPose>, Failure> {
         match self.package {
             Package::Interpolation => self.ask(|subject, version| {
-                ask::between(subject, stage, representation, (start, end), || version.hush(true))
+                let hush = || version.hush(true);
+                ask::between(subject, stage, representation, (start, end), progress, hush)
             }),
-            Package::Fk | Package::Keyframes => self.rest.between(stage, representation, start, end),
+            Package::Fk | Package::Keyframes => {
+                self.rest.between(stage, representation, start, end, progress)
+            }
         }
     }
 
@@ -90,22 +95,6 @@ impl<S: Subject + Send> Hand for StudentHand<S> {
             Package::Fk => self.rest.makers(),
             Package::Interpolation => Makers { between: Maker::Student, ..self.rest.makers() },
             Package::Keyframes => Makers { keyframes: Maker::Student, ..self.rest.makers() },
-        }
-    }
-
-    fn reduce_step_by_step(
-        &mut self,
-        stage: &Stage,
-        representation: Representation,
-        counts: &[usize],
-        progress: Progress,
-    ) -> Result<Vec<Reduction>, Failure> {
-        match self.package {
-            // How far they are is known to nobody.
-            Package::Keyframes => self.reduce(stage, representation, counts),
-            Package::Fk | Package::Interpolation => {
-                self.rest.reduce_step_by_step(stage, representation, counts, progress)
-            }
         }
     }
 

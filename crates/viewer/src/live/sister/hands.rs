@@ -28,7 +28,7 @@ pub struct Opened<S> {
 /// The newest hands of an exercise. Nothing here ever waits for the student's functions.
 pub struct Hands {
     package: Package,
-    motions: Vec<OfMotion>,
+    motions: Vec<Asked>,
     /// The version that all this is about, and the newest one.
     number: u64,
     newest: Arc<AtomicU64>,
@@ -41,11 +41,11 @@ pub struct Hands {
     rebuilder: Rebuilder,
 }
 
-/// What this version has answered for one motion.
+/// What came of asking this version about one motion.
 #[derive(Clone, Default)]
-enum OfMotion {
+enum Asked {
     #[default]
-    NotAsked,
+    NotYet,
     Answered,
     Failed(Arc<Trouble>),
 }
@@ -106,7 +106,7 @@ impl Hands {
         let rebuilder = Rebuilder::new(Box::new(begin), Box::new(start));
         let mut hands = Hands {
             package,
-            motions: vec![OfMotion::default(); count],
+            motions: vec![Asked::default(); count],
             number: 0,
             newest,
             ready: false,
@@ -138,8 +138,9 @@ impl Hands {
         let mut hands = Vec::new();
         while let Ok((number, event)) = self.events.try_recv() {
             if number > self.number {
-                // The save was noticed just now, on another thread.
+                // The save was noticed just now, on another thread. Nobody answers for what was built before.
                 self.follow();
+                hands.clear();
             }
             if number < self.number {
                 continue;
@@ -161,7 +162,7 @@ impl Hands {
         if std::mem::replace(&mut self.number, number) == number {
             return;
         }
-        self.motions.fill(OfMotion::NotAsked);
+        self.motions.fill(Asked::NotYet);
         (self.ready, self.failed, self.grading) = (false, None, false);
         self.former = self.board.take().or(self.former.take());
         if let Some(error) = self.rebuilder.take_trouble() {
@@ -174,8 +175,8 @@ impl Hands {
         match event {
             Event::Ready(_) => {}
             Event::Failed(trouble) => self.failed = Some(trouble),
-            Event::Answered(motion) => self.set(motion, OfMotion::Answered),
-            Event::Trouble(motion, trouble) => self.set(motion, OfMotion::Failed(trouble)),
+            Event::Answered(motion) => self.set(motion, Asked::Answered),
+            Event::Trouble(motion, trouble) => self.set(motion, Asked::Failed(trouble)),
             Event::Grading => self.grading = true,
             Event::Graded(board) => {
                 self.grading = false;
@@ -184,7 +185,7 @@ impl Hands {
         }
     }
 
-    fn set(&mut self, motion: usize, new: OfMotion) {
+    fn set(&mut self, motion: usize, new: Asked) {
         if let Some(old) = self.motions.get_mut(motion) {
             *old = new;
         }
@@ -192,13 +193,13 @@ impl Hands {
 
     /// How things stand with the functions, where they answer for motion `motion` (from 0).
     pub fn standing(&self, motion: usize) -> Standing {
-        let of_motion = self.motions.get(motion).cloned().unwrap_or_default();
-        let status = match (&self.failed, of_motion) {
+        let asked = self.motions.get(motion).cloned().unwrap_or_default();
+        let status = match (&self.failed, asked) {
             (Some(trouble), _) => Status::Failed(Arc::clone(trouble)),
-            (None, OfMotion::Failed(trouble)) => Status::Failed(trouble),
-            (None, OfMotion::Answered) => Status::Answered,
-            (None, OfMotion::NotAsked) if self.ready => Status::Asking,
-            (None, OfMotion::NotAsked) => Status::Compiling,
+            (None, Asked::Failed(trouble)) => Status::Failed(trouble),
+            (None, Asked::Answered) => Status::Answered,
+            (None, Asked::NotYet) if self.ready => Status::Asking,
+            (None, Asked::NotYet) => Status::Compiling,
         };
         let current = status == Status::Answered;
         let former = self.former.as_ref().filter(|_| self.board.is_none()).cloned();

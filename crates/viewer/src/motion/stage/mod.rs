@@ -165,7 +165,12 @@ impl Stage {
         frame
     }
 
-    /// The same, into `frame`, whose memory is used again.
+    /// All frames of the motion; none when the file holds none.
+    pub fn frames(&self) -> Vec<Frame> {
+        (0..self.motion.frame_count()).map(|index| self.frame(index)).collect()
+    }
+
+    /// Frame `index`, into `frame`, whose memory is used again.
     pub fn read_frame(&self, index: usize, frame: &mut Frame) {
         self.motion.read_frame(index, self.positions, frame);
     }

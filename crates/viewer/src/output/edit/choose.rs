@@ -5,6 +5,8 @@ use std::ops::ControlFlow;
 use clap::ValueEnum;
 use reduction::{Errors, curve, local_moves, optimum};
 
+use crate::edit::remaining;
+
 /// How keyframes are chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Method {
@@ -73,13 +75,6 @@ pub struct Choice {
 /// The optimum of a motion of so many frames takes too long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLong;
-
-/// The frames that stay when some are removed.
-fn remaining(frame_count: usize, removed: &[usize]) -> Vec<usize> {
-    let mut stays = vec![true; frame_count];
-    removed.iter().for_each(|frame| stays[*frame] = false);
-    (0..frame_count).filter(|frame| stays[*frame]).collect()
-}
 
 /// `count` frames as far apart as they can be, the first and the last among them.
 fn even(frame_count: usize, count: usize) -> Vec<usize> {

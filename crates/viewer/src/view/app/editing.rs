@@ -89,6 +89,8 @@ pub struct Editing {
     pub edited: Option<Arc<Edited>>,
     /// Whether it was made for an older wish.
     pub stale: bool,
+    /// Whether it was made by an older hand.
+    pub by_former_hand: bool,
     /// How much of the work is done and how much there is, while it is done.
     pub progress: Option<(usize, usize)>,
     /// Why there is no result.
@@ -143,6 +145,7 @@ impl App {
         self.editing = Editing {
             edited: state.edited.cloned(),
             stale: state.stale,
+            by_former_hand: state.by_former_hand,
             progress: state.progress,
             failure: state.failure.cloned(),
             waited: if waits { self.editing.waited.saturating_add(1) } else { 0 },

@@ -12,8 +12,8 @@ use crate::view::texts::write_number;
 /// The most points of a curve: more could not be told apart.
 const MOST_POINTS: usize = 400;
 
-/// The most numbers on an axis.
-const MOST_TICKS: f64 = 4.0;
+/// The most steps from number to number on an axis.
+const MOST_STEPS: f64 = 4.0;
 
 /// The share of the height that stays free above the highest error.
 const ABOVE: f64 = 0.06;
@@ -76,7 +76,7 @@ fn curves(plot: &mut Plot, edited: &Edited) {
 
 /// Round numbers from 0 up to `most`, at least `least` apart.
 fn ticks(ticks: &mut Pool<Tick>, most: f64, least: f64) {
-    let step = round_step(most / MOST_TICKS).max(least);
+    let step = round_step(most / MOST_STEPS).max(least);
     let mut number = 0.0;
     // A few more than there should be, should a number be too large to grow by its step.
     for _ in 0..8 {

@@ -41,8 +41,8 @@ impl App {
         let Some(sister) = self.sister.as_ref().filter(|sister| self.has_part(sister)) else { return false };
         match sister.standing.status {
             Status::Compiling | Status::Failed(_) => true,
-            Status::Asking => self.editing().is_some_and(|editing| editing.stale),
-            Status::Answered => false,
+            // They may have answered for some of the frames, or for another wish, and the rest is still to come.
+            Status::Asking | Status::Answered => self.editing().is_some_and(|editing| editing.by_former_hand),
         }
     }
 

@@ -18,7 +18,7 @@ impl Subject for Fixed {
 /// What is wrong with these poses, as the frames 1 and 2 between 0 and 3 of a motion with 5 joints.
 fn wrong_poses(poses: Vec<LocalPose>) -> Result<(), Wrong> {
     let mut subject = Fixed(Answer::Interpolation(InterpolationAnswer::Between(poses)));
-    ask::between(&mut subject, &stage(9), Representation::Euler, (0, 3), || {}).map(|_| ())
+    ask::between(&mut subject, &stage(9), Representation::Euler, (0, 3), &mut go_on, || {}).map(|_| ())
 }
 
 fn pose(joints: usize) -> LocalPose {
@@ -61,7 +61,8 @@ fn rotations_that_are_no_unit_quaternions_are_shown_as_they_are() {
 #[test]
 fn a_stretch_without_frames_between_asks_nothing() {
     let mut subject = Fixed(Answer::NotMine);
-    let poses = ask::between(&mut subject, &stage(9), Representation::Euler, (3, 4), || {}).unwrap();
+    let poses =
+        ask::between(&mut subject, &stage(9), Representation::Euler, (3, 4), &mut go_on, || {}).unwrap();
     assert!(poses.is_empty());
 }
 
@@ -78,13 +79,45 @@ fn a_long_stretch_is_asked_in_pieces_and_every_frame_is_as_far_as_it_should_be()
         }
     }
     let (stage, mut subject) = (stage(5_000), Counting(0));
-    let poses = ask::between(&mut subject, &stage, Representation::Euler, (100, 4_900), || {}).unwrap();
+    let mut told = Vec::new();
+    let mut progress = |done, of| {
+        told.push((done, of));
+        ControlFlow::Continue(())
+    };
+    let all = (100, 4_900);
+    let poses = ask::between(&mut subject, &stage, Representation::Euler, all, &mut progress, || {}).unwrap();
+    assert_eq!(told, [(1_600, 4_799), (3_200, 4_799), (4_799, 4_799)]);
     assert_eq!((poses.len(), subject.0), (4_799, 3));
     for (index, pose) in poses.iter().enumerate().step_by(479) {
         let t = (index + 1) as f32 / 4_800.0;
         let x = |frame: usize| stage.frame(frame).local_positions[0].x;
         assert!((pose.positions[0].x - (x(100) + t * (x(4_900) - x(100)))).abs() < 1e-2);
     }
+}
+
+/// Gives poses without joints, and counts how often it is asked.
+struct Empty(usize);
+
+impl Subject for Empty {
+    fn ask(&mut self, question: &Question, _: Duration) -> Result<Answer, Failure> {
+        self.0 += 1;
+        let Question::Interpolation(exam::interpolation::Question::Between { ts, .. }) = question else {
+            panic!("not frames")
+        };
+        Ok(Answer::Interpolation(InterpolationAnswer::Between(vec![LocalPose::default(); ts.len()])))
+    }
+}
+
+#[test]
+fn nothing_more_is_asked_behind_an_answer_that_cannot_be_used_nor_when_something_else_is_wanted() {
+    let (stage, mut empty) = (stage(5_000), Empty(0));
+    let all = (100, 4_900);
+    let wrong = ask::between(&mut empty, &stage, Representation::Euler, all, &mut go_on, || {}).unwrap_err();
+    assert!(wrong.trouble.headline.contains("gives 0 rotations"), "{wrong:?}");
+    assert_eq!(empty.0, 1);
+    let mut stop = |_, _| ControlFlow::Break(());
+    let poses = ask::between(&mut Lifted(0.0), &stage, Representation::Euler, all, &mut stop, || {});
+    assert_eq!(poses.unwrap().len(), 1_600);
 }
 
 /// What is wrong with this reduction of 9 frames to 3.

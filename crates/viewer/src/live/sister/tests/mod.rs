@@ -13,7 +13,7 @@ use glam::{Quat, Vec3};
 use skeleton::{LocalPose, PositionChannels, Representation};
 
 use super::*;
-use crate::edit::{Maker, Makers};
+use crate::edit::{Maker, Makers, Progress};
 use crate::live::board::Board;
 use crate::live::student::{News, Status};
 use crate::motion::stage::Stage;
@@ -42,7 +42,13 @@ impl Subject for Lifted {
 struct Rest;
 
 impl Hand for Rest {
-    fn reduce(&mut self, _: &Stage, _: Representation, counts: &[usize]) -> Result<Vec<Reduction>, Failure> {
+    fn reduce(
+        &mut self,
+        _: &Stage,
+        _: Representation,
+        counts: &[usize],
+        _: Progress,
+    ) -> Result<Vec<Reduction>, Failure> {
         Ok(counts.iter().map(|count| Reduction { keyframes: vec![0, *count], error: 0.5 }).collect())
     }
 
@@ -52,10 +58,15 @@ impl Hand for Rest {
         _: Representation,
         start: usize,
         end: usize,
+        _: Progress,
     ) -> Result<Vec<LocalPose>, Failure> {
         let place = Vec3::new(start as f32, end as f32, 0.0);
         Ok(vec![LocalPose { rotations: vec![Quat::IDENTITY], positions: vec![place] }])
     }
+}
+
+fn go_on(_: usize, _: usize) -> ControlFlow<()> {
+    ControlFlow::Continue(())
 }
 
 fn rest() -> Box<dyn Hand> {
@@ -100,7 +111,7 @@ fn next_hand(hands: &mut Hands) -> Box<dyn Hand> {
 }
 
 fn between(hand: &mut dyn Hand) -> Result<Vec<LocalPose>, Failure> {
-    hand.between(&stage(9), Representation::Quaternion, 2, 6)
+    hand.between(&stage(9), Representation::Quaternion, 2, 6, &mut go_on)
 }
 
 /// How much the second of these frames is lifted.
@@ -118,6 +129,7 @@ impl<S: Subject + Send> Hand for Answering<S> {
         stage: &Stage,
         way: Representation,
         counts: &[usize],
+        _: Progress,
     ) -> Result<Vec<Reduction>, Failure> {
         ask::reduce(&mut self.0, stage, way, counts).map_err(|wrong| wrong.failure)
     }
@@ -128,8 +140,9 @@ impl<S: Subject + Send> Hand for Answering<S> {
         way: Representation,
         start: usize,
         end: usize,
+        progress: Progress,
     ) -> Result<Vec<LocalPose>, Failure> {
-        ask::between(&mut self.0, stage, way, (start, end), || {}).map_err(|wrong| wrong.failure)
+        ask::between(&mut self.0, stage, way, (start, end), progress, || {}).map_err(|wrong| wrong.failure)
     }
 }
 
@@ -166,14 +179,8 @@ fn what_is_not_the_students_part_is_done_by_another_hand() {
     let (mut hands, _news) = start(|_| Ok(Lifted(7.0)));
     let mut hand = next_hand(&mut hands);
     assert_eq!(hand.makers(), Makers { between: Maker::Student, keyframes: Maker::Reference });
-    let going = &mut |_, _| ControlFlow::Continue(());
-    for reductions in [
-        hand.reduce(&stage(9), Representation::Euler, &[3, 5]),
-        hand.reduce_step_by_step(&stage(9), Representation::Euler, &[3, 5], going),
-    ] {
-        let last = &reductions.unwrap()[1];
-        assert_eq!((last.keyframes[1], last.error), (5, 0.5));
-    }
+    let reductions = hand.reduce(&stage(9), Representation::Euler, &[3, 5], &mut go_on).unwrap();
+    assert_eq!((reductions[1].keyframes[1], reductions[1].error), (5, 0.5));
     assert!((height(&mut *hand) - 7.0).abs() < 1e-3);
 
     let subject = InProcess(Functions::keyframes(solutions::KEYFRAMES).with_clips(inbetween::clip));
@@ -182,7 +189,7 @@ fn what_is_not_the_students_part_is_done_by_another_hand() {
     let mut hand = next_hand(&mut hands);
     assert_eq!(hand.makers(), Makers { between: Maker::Reference, keyframes: Maker::Student });
     assert_eq!(between(&mut *hand).unwrap()[0].positions, [Vec3::new(2.0, 6.0, 0.0)]);
-    let reductions = hand.reduce(&stage(9), Representation::Euler, &[3, 5]).unwrap();
+    let reductions = hand.reduce(&stage(9), Representation::Euler, &[3, 5], &mut go_on).unwrap();
     assert_eq!(reductions.iter().map(|reduction| reduction.keyframes.len()).collect::<Vec<_>>(), [3, 5]);
 }
 
@@ -276,7 +283,7 @@ fn a_trouble_is_told_once_is_known_of_its_motion_only_and_goes_when_an_answer_co
     until(&mut hands, |hands, _| hands.standing(0).board);
     let told = news.try_iter().filter(|news| matches!(news, News::Trouble(_))).collect::<Vec<_>>();
     assert_eq!(told, [News::Trouble(trouble_of_it)]);
-    hand.between(&stage(9), Representation::Euler, 3, 5).unwrap();
+    hand.between(&stage(9), Representation::Euler, 3, 5, &mut go_on).unwrap();
     until(&mut hands, |hands, _| hands.standing(0).current.then_some(()));
 }
 
@@ -339,7 +346,7 @@ fn what_is_printed_is_heard_except_while_the_failing_frame_is_looked_for() {
     assert_eq!(failure, Failure::TimedOut { limit: Duration::from_secs(2) });
     let trouble = until(&mut hands, |hands, _| trouble(hands, 0));
     assert!(trouble.details[0].starts_with("in frame 4, t = 0.500"), "{trouble:?}");
-    hand.between(&stage(9), Representation::Euler, 0, 2).unwrap_err();
+    hand.between(&stage(9), Representation::Euler, 0, 2, &mut go_on).unwrap_err();
     drop((hand, hands));
     assert_eq!(std::io::read_to_string(&mut reader).unwrap(), "3 frames\n1 frames\n");
 }

@@ -1,7 +1,7 @@
 //! Motions that are edited by a student's functions.
 
 use super::*;
-use crate::edit::{EngineState, Hand, Maker, Makers, ReferenceHand};
+use crate::edit::{EngineState, Hand, Maker, Makers, Progress, ReferenceHand};
 use crate::live::package::Package;
 use crate::live::student::Standing;
 
@@ -73,13 +73,26 @@ fn the_edited_figure_is_pale_until_the_last_version_has_answered() {
 fn asking_is_told_while_it_takes_its_time_and_then_no_more() {
     let mut app = edited(Package::Interpolation);
     let made = app.edited().unwrap().clone();
-    let working = EngineState { edited: Some(&made), stale: true, progress: Some((0, 0)), failure: None };
+    let working = EngineState {
+        edited: Some(&made),
+        stale: true,
+        by_former_hand: true,
+        progress: Some((0, 0)),
+        failure: None,
+    };
     app.show_edit(working);
     let (looks, words) = seen(&mut app, Package::Interpolation, Status::Asking);
     assert_eq!(looks, [Look::Ghost, Look::Dimmed]);
     assert!(words.contains("asking your functions…") && words.contains("pale"), "{words}");
+    // Some stretches have been answered for, and not all.
+    let (looks, words) = seen(&mut app, Package::Interpolation, Status::Answered);
+    assert_eq!(looks, [Look::Ghost, Look::Dimmed]);
+    assert!(words.contains("pale: by your last version"), "{words}");
+    // This version's own, for another wish.
+    app.show_edit(EngineState { by_former_hand: false, ..working });
+    assert_eq!(seen(&mut app, Package::Interpolation, Status::Answered).0, [Look::Ghost, Look::Solid]);
     // Nothing was left to ask.
-    app.show_edit(EngineState { stale: false, progress: None, ..working });
+    app.show_edit(EngineState { stale: false, by_former_hand: false, progress: None, ..working });
     let (looks, words) = seen(&mut app, Package::Interpolation, Status::Asking);
     assert_eq!(looks, [Look::Ghost, Look::Solid]);
     assert!(!words.contains("asking") && !words.contains("pale"), "{words}");
@@ -120,6 +133,7 @@ fn why_there_is_no_answer_is_told_once() {
             _: &Stage,
             _: skeleton::Representation,
             _: &[usize],
+            _: Progress,
         ) -> Result<Vec<exam::keyframes::Reduction>, exam::Failure> {
             Err(exam::Failure::Panicked { message: "no".into(), location: None })
         }
@@ -129,6 +143,7 @@ fn why_there_is_no_answer_is_told_once() {
             _: skeleton::Representation,
             _: usize,
             _: usize,
+            _: Progress,
         ) -> Result<Vec<skeleton::LocalPose>, exam::Failure> {
             Err(exam::Failure::Panicked { message: "no".into(), location: None })
         }
@@ -167,6 +182,7 @@ impl Hand for Every {
         stage: &Stage,
         _: skeleton::Representation,
         counts: &[usize],
+        _: Progress,
     ) -> Result<Vec<exam::keyframes::Reduction>, exam::Failure> {
         let keyframes: Vec<usize> = (0..stage.frame_count()).step_by(self.0).collect();
         Ok(vec![exam::keyframes::Reduction { keyframes, error: 0.0 }; counts.len()])
@@ -178,8 +194,9 @@ impl Hand for Every {
         representation: skeleton::Representation,
         start: usize,
         end: usize,
+        progress: Progress,
     ) -> Result<Vec<skeleton::LocalPose>, exam::Failure> {
-        ReferenceHand::default().between(stage, representation, start, end)
+        ReferenceHand::default().between(stage, representation, start, end, progress)
     }
 
     fn makers(&self) -> Makers {

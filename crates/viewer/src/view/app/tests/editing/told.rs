@@ -117,7 +117,13 @@ fn a_motion_that_is_too_long_says_what_to_do() {
 fn work_that_takes_long_is_told_and_work_that_does_not_is_not() {
     let mut app = edited(50, &[Action::Automatic]);
     let made = app.edited().unwrap().clone();
-    let state = EngineState { edited: Some(&made), stale: true, progress: None, failure: None };
+    let state = EngineState {
+        edited: Some(&made),
+        stale: true,
+        by_former_hand: false,
+        progress: None,
+        failure: None,
+    };
     let mut told = |edited, progress, pictures| {
         (0..pictures).for_each(|_| app.show_edit(EngineState { edited, progress, ..state }));
         words(&show(&mut app))
