@@ -16,6 +16,23 @@ mod places {
         assert_eq!((before, after), (3, 3));
     }
 
+    /// The table of the handout, and the mapping that it compares with.
+    #[test]
+    fn of_four_frames_that_become_eight_are_those_of_the_table() {
+        let expected = [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.0];
+        let places = std::array::from_fn(|frame| along(old_position(frame, 4, 8)));
+        assert_eq!(places, expected);
+        let both_ends: Vec<String> =
+            (0..4).map(|frame| format!("{:.2}", f64::from(frame) * 3.0 / 7.0)).collect();
+        assert_eq!(both_ends, ["0.00", "0.43", "0.86", "1.29"]);
+    }
+
+    #[test]
+    fn of_millions_of_frames_would_be_inexact_in_single_precision() {
+        let kept = [3_000_000.3_f64, 9_000_000.3].map(|place| f64::from(place as f32));
+        assert_eq!(kept, [3_000_000.25, 9_000_000.0]);
+    }
+
     #[test]
     fn of_millions_of_frames_are_exact() {
         // 7,654,321 × 8,000,001 / 9,000,003 = 6,803,839.471422...

@@ -82,19 +82,6 @@ pub struct FrameAnswer {
     pub rotations: Vec<[Quat; 2]>,
 }
 
-impl Answer {
-    /// What the part gave that was asked about, without what other parts gave for the same joints.
-    #[must_use]
-    pub fn of_its_part(&self) -> Self {
-        match self {
-            Answer::Frame(frame) => {
-                Answer::Frame(FrameAnswer { local: frame.local.clone(), ..FrameAnswer::default() })
-            }
-            other => other.clone(),
-        }
-    }
-}
-
 impl Question {
     /// Asks `functions`, here and now. A panic of theirs goes through.
     pub fn ask(&self, functions: &InterpolationFunctions) -> Answer {

@@ -81,17 +81,6 @@ pub enum Answer {
     NotMine,
 }
 
-impl Answer {
-    /// What the part gave that was asked about. Some answers hold what other parts gave as well.
-    #[must_use]
-    pub fn of_its_part(&self) -> Self {
-        match self {
-            Answer::Interpolation(answer) => Answer::Interpolation(answer.of_its_part()),
-            other => other.clone(),
-        }
-    }
-}
-
 impl Question {
     /// Asks `functions`, here and now. A panic of theirs goes through.
     pub fn ask(&self, functions: &Functions) -> Answer {

@@ -130,8 +130,8 @@ fn about_digits() -> Vec<Misconception> {
     vec![Misconception {
         id: "few_digits",
         title: "Your place has too few digits for long motions.",
-        explanation: "An `f32` has about seven digits. Of a place of several millions nothing is left behind the point, and the \
-                      motion jerks.",
+        explanation: "An `f32` has about seven digits. A place of several millions needs them all in front of the point: hardly \
+                      anything is left behind it, and the motion jerks.",
         hint: "Which type has more digits? Whole numbers lose none at all: what do `/` and `%` give for them?",
         seen_in: LONG,
         costs: LONG,

@@ -1,11 +1,13 @@
 //! Part 1: places between the frames of short and long motions.
 
+use exam::Answer;
 use exam::time_warp::Question as TimeWarpQuestion;
 
 use super::{case, input, tell, until};
-use crate::Case;
 use crate::dice::Dice;
 use crate::time_warp::compare;
+use crate::time_warp::misconceptions::misconceptions;
+use crate::{Case, Misconception};
 
 /// A frame of a new motion.
 struct Asked {
@@ -19,7 +21,7 @@ pub(super) fn cases(dice: &mut Dice, check: &str) -> Vec<Case> {
         "slower" => slower(dice),
         "faster" => faster(dice),
         "last" => last(dice),
-        "long" => (0..4).map(|_| telling(dice, check, Asked::of_millions)).collect(),
+        "long" => (0..4).map(|_| until(|| telling(dice, check, Asked::of_millions), tells_digits)).collect(),
         _ => Vec::new(),
     }
 }
@@ -78,6 +80,20 @@ fn telling(dice: &mut Dice, check: &str, throw: impl Fn(&mut Dice) -> Asked) -> 
     until(|| clear(dice).case(None), |case| tell("part1", check, std::slice::from_ref(case)))
 }
 
+/// Whether too few digits lead to another place than any other misconception: not to a whole frame, as they may.
+fn tells_digits(case: &Case) -> bool {
+    let all = misconceptions("part1");
+    let is_digits = |misconception: &&Misconception| misconception.id == "few_digits";
+    let (digits, others): (Vec<_>, Vec<_>) = all.iter().partition(is_digits);
+    let answers = |of: Vec<&Misconception>| -> Vec<Answer> {
+        of.iter().flat_map(|one| &one.variants).map(|variant| case.question.ask(variant)).collect()
+    };
+    let others = answers(others);
+    let is_other =
+        |answer: &Answer| others.iter().all(|other| compare::places(case, other, answer).is_some());
+    answers(digits).iter().all(is_other)
+}
+
 impl Asked {
     /// Some frame of a motion that becomes 1.2 to 3.5 times as long.
     fn of_longer(dice: &mut Dice, low: usize, high: usize) -> Asked {
@@ -93,11 +109,12 @@ impl Asked {
         Asked { new_frame: 1 + dice.below(new_count - 1), old_count: longer.new_count, new_count }
     }
 
-    /// Counts that an `f32` can hold, as it can hold the first millions of frames, but not a place between two of them.
+    /// Counts and frames that an `f32` can hold. Of places between the frames it can hold every fourth part there, from the
+    /// two millionth frame to the four millionth.
     fn of_millions(dice: &mut Dice) -> Asked {
         let mut millions = |low, high| (dice.between(low, high) * 1e6) as usize;
-        let (old_count, new_count) = (millions(4.0, 9.0), millions(4.0, 9.0));
-        let part = dice.between(0.55, 0.95);
+        let (old_count, new_count) = (millions(4.0, 6.0), millions(4.0, 9.0));
+        let part = dice.between(0.55, 0.68);
         Asked { new_frame: (new_count as f32 * part) as usize, old_count, new_count }
     }
 
