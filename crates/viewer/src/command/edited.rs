@@ -61,8 +61,5 @@ fn tell_refusal(app: &App) {
 }
 
 fn tell(trouble: &Trouble) {
-    eprintln!("{}: only the original is shown", trouble.headline);
-    if !trouble.is_in_terminal() {
-        trouble.details.iter().for_each(|line| eprintln!("  {line}"));
-    }
+    super::tell(trouble, "only the original is shown");
 }

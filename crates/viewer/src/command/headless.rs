@@ -243,10 +243,7 @@ fn tell(recorded: &Recorded, mut frames: impl Iterator<Item = usize>) {
         }
         false => "traces have gaps where that is so",
     };
-    eprintln!("{}: {shown}", trouble.headline);
-    if !trouble.is_in_terminal() {
-        trouble.details.iter().for_each(|line| eprintln!("  {line}"));
-    }
+    super::tell(trouble, shown);
 }
 
 fn save(screen: &Screen, path: &Path) -> Result<(), String> {

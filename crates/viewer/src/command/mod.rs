@@ -14,6 +14,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 
+use crate::live::worker::Trouble;
 use crate::motion::source::{self, Loaded, Source};
 use crate::view::app::App;
 use crate::view::gallery::Gallery;
@@ -109,6 +110,14 @@ fn report(source: &Source, loaded: &Loaded) -> String {
 /// Writes to the standard output. Whoever reads there may have gone, as `head` does; that is no reason to fail.
 fn say(text: &str) {
     let _ = io::stdout().write_all(text.as_bytes());
+}
+
+/// Says in the terminal what is wrong with the student's functions, and what a picture shows for this reason.
+fn tell(trouble: &Trouble, shown: &str) {
+    eprintln!("{}: {shown}", trouble.headline);
+    if !trouble.is_in_terminal() {
+        trouble.details.iter().for_each(|line| eprintln!("  {line}"));
+    }
 }
 
 /// The folder of the workspace: that of the package when cargo runs the viewer, or that in which it was compiled.

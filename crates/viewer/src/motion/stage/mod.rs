@@ -1,9 +1,10 @@
 //! A motion set up for being looked at: how large its figure is, where its ground is, what to follow.
 
 mod figure;
+mod frames;
 
 use glam::{Quat, Vec3};
-use skeleton::{Frame, Motion, Pose, PositionChannels, pose_frame};
+use skeleton::{Frame, Motion, Pose, PositionChannels};
 
 use crate::camera::Camera;
 use crate::draw::canvas::Ground;
@@ -142,8 +143,7 @@ impl Stage {
         let step = self.frame_count().div_ceil(samples);
         let (mut frame, mut pose) = (Frame::default(), Pose::default());
         for index in (0..self.frame_count()).step_by(step) {
-            self.read_frame(index, &mut frame);
-            pose_frame(self.motion.skeleton(), &frame, &solutions::FK, &mut pose);
+            self.read_reference(index, &mut frame, &mut pose);
             look(self, &pose);
         }
     }
@@ -156,36 +156,6 @@ impl Stage {
     /// How many frames can be shown: at least one, which is the rest pose when the motion has none.
     pub fn frame_count(&self) -> usize {
         self.motion.frame_count().max(1)
-    }
-
-    /// Frame `index` (from 0) as the functions get it. Behind the last frame it is the rest pose.
-    pub fn frame(&self, index: usize) -> Frame {
-        let mut frame = Frame::default();
-        self.read_frame(index, &mut frame);
-        frame
-    }
-
-    /// All frames of the motion; none when the file holds none.
-    pub fn frames(&self) -> Vec<Frame> {
-        (0..self.motion.frame_count()).map(|index| self.frame(index)).collect()
-    }
-
-    /// Frame `index`, into `frame`, whose memory is used again.
-    pub fn read_frame(&self, index: usize, frame: &mut Frame) {
-        self.motion.read_frame(index, self.positions, frame);
-    }
-
-    /// Where the joints are in frame `index` (from 0) if everything is right.
-    pub fn reference(&self, index: usize) -> Pose {
-        let mut pose = Pose::default();
-        self.read_reference(index, &mut Frame::default(), &mut pose);
-        pose
-    }
-
-    /// The same, into `pose` and with `frame`, whose memory is used again.
-    pub fn read_reference(&self, index: usize, frame: &mut Frame, pose: &mut Pose) {
-        self.read_frame(index, frame);
-        pose_frame(self.motion.skeleton(), frame, &solutions::FK, pose);
     }
 
     /// The axis of the motion that points up.
