@@ -3,8 +3,8 @@
 //! This is the only file that you edit, and the only one that you hand in. It holds three functions. Each is given what
 //! the one before it computes, so that you can write and check them in any order.
 //!
-//! - Try it: `cargo view --exercise keyframes` and press `k`: your functions choose the keyframes, and the frames between
-//!   them are interpolated.
+//! - Try it: in `cargo view --exercise keyframes` your functions choose the keyframes, and the frames between them are
+//!   interpolated.
 //! - Check it: `cargo test -p keyframes` shows your points and what to do next; `cargo test -p keyframes part1` checks
 //!   part 1 only.
 //!

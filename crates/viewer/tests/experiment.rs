@@ -188,8 +188,8 @@ fn the_comparison_sees_changes_and_no_last_bits() {
 
     let (name, svg) = experiment().pictures().unwrap().remove(0);
     assert_eq!(distance(&lines(&svg), &lines(&svg)), 0.0, "{name}");
-    let blue = "stroke=\"#0072B2\" stroke-width=\"4\" points=\"";
-    let at = svg.find(blue).unwrap() + blue.len();
+    let solid = "stroke=\"#D55E00\" stroke-width=\"4\" points=\"";
+    let at = svg.find(solid).unwrap() + solid.len();
     let changed = format!("{}0,0 {}", &svg[..at], &svg[at..]);
     assert!(distance(&lines(&svg), &lines(&changed)) > DISTANCE);
 }

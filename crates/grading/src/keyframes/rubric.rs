@@ -6,7 +6,7 @@ use crate::{CheckRubric, PartRubric, Rubric};
 pub static RUBRIC: Rubric = Rubric {
     exercise: "keyframes",
     title: "Keyframes",
-    invitation: "run `cargo view --exercise keyframes` and press `k`",
+    invitation: "run `cargo view --exercise keyframes` and press `p`",
     parts: &[
         PartRubric {
             id: "part1",

@@ -182,4 +182,19 @@ mod tests {
         assert!(help.contains(&count) && help.contains("[default: quaternion]"), "{help}");
         assert_eq!(nothing.representation(), Representation::Quaternion);
     }
+
+    #[test]
+    fn what_has_no_part_in_a_reduction_is_refused_and_not_ignored() {
+        let parsed = |more: &[&str]| {
+            Arguments::try_parse_from([&["cargo view", "--out", "keys.bvh"], more].concat()).map(drop)
+        };
+        parsed(&[]).unwrap();
+        parsed(&["--solution", "--keyframes", "12", "--mode", "euler"]).unwrap();
+        for useless in [["--exercise", "keyframes"], ["--png", "a.png"], ["--frame", "3"]] {
+            let told = parsed(&useless).unwrap_err().to_string();
+            assert!(told.contains("cannot be used with"), "{told}");
+        }
+        let told = parsed(&["--keyframes", "-3"]).unwrap_err().to_string();
+        assert!(told.contains("invalid value '-3' for '--keyframes"), "{told}");
+    }
 }
