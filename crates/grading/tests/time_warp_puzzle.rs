@@ -114,7 +114,6 @@ fn angles_in_quaternions_look_wrong_where_more_happens_between_two_frames() {
             let right = quaternion(blend(&turned(*from), &turned(*to), 0.5).angles[0]);
             let off = angle_between(right, quaternion(packed(*from, *to, 0.5)));
             assert!(off < 0.04 || dot < 1.0, "{from:?} {to:?}: {off}");
-            }
         }
     }
     // Where the three numbers change sign, the opposite ones are taken for the same rotation.
