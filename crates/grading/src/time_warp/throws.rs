@@ -14,7 +14,7 @@ const FROM_GIMBAL_LOCK: f32 = 15.0;
 
 /// The angles of a bone.
 pub(super) fn angles(dice: &mut Dice) -> [f32; 3] {
-    [dice.angle(10.0, 170.0), dice.angle(5.0, 55.0), dice.angle(10.0, 170.0)]
+    [dice.angle(10.0, 170.0), dice.angle(5.0, 70.0), dice.angle(10.0, 170.0)]
 }
 
 /// Other angles, which all differ by enough to be seen, and by less than half a turn. As in a recording, they are within ±180
@@ -23,7 +23,7 @@ pub(super) fn next_angles(dice: &mut Dice, from: [f32; 3]) -> [f32; 3] {
     let within = |angle: f32| two_decimals((angle + 180.0).rem_euclid(360.0) - 180.0);
     let throw = || {
         let [x, z] = [from[0], from[2]].map(|angle| within(angle + dice.angle(25.0, 70.0)));
-        [x, dice.angle(5.0, 55.0), z]
+        [x, dice.angle(5.0, 70.0), z]
     };
     until(throw, |to| (to[1] - from[1]).abs() > 20.0 && is_clear(from, *to))
 }
@@ -57,4 +57,21 @@ pub(super) fn motion(dice: &mut Dice, frames: usize, bones: usize) -> Vec<Postur
         posture
     };
     (0..frames).map(frame).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_is_clear_unless_it_is_long_or_short_or_comes_near_gimbal_lock() {
+        assert!(is_clear([30.0, 20.0, -60.0], [-20.0, 50.0, 10.0]));
+        // Over ±180 degrees it is no longer.
+        assert!(is_clear([170.0, 20.0, -60.0], [-130.0, 50.0, 10.0]));
+        assert!(!is_clear([0.0, 0.0, 0.0], [175.0, 0.0, 0.0]));
+        assert!(!is_clear([0.0, 10.0, 0.0], [5.0, 12.0, 0.0]));
+        // Both ends are away from it, and half-way the middle angle is nearly 80 degrees.
+        assert!(!is_clear([-60.0, 70.0, -60.0], [60.0, 70.0, 60.0]));
+        assert!(!is_clear([0.0, 80.0, 0.0], [60.0, 40.0, 0.0]));
+    }
 }
