@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 use grading::{EXERCISES, Exercise};
 
-/// An exercise as a package of the workspace: one file of the student's, and a program that answers for its functions.
+/// An exercise that the viewer can show, as a package of the workspace: one file of the student's, and a program that answers
+/// for its functions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Package {
     /// Forward kinematics: your functions move the figure
@@ -49,10 +50,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_exercise_is_a_package_of_its_name() {
+    fn every_exercise_that_can_be_shown_is_a_package_of_its_name() {
         let names = ["fk", "interpolation", "keyframes"];
         assert_eq!(Package::value_variants().iter().map(|package| package.name()).collect::<Vec<_>>(), names);
-        assert_eq!(EXERCISES.len(), names.len());
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         for package in Package::value_variants() {
             let value = package.to_possible_value().unwrap();
