@@ -107,9 +107,10 @@ mod tests {
         let graded: Vec<&str> = grading::EXERCISES.iter().map(|graded| graded.rubric.exercise).collect();
         let marked: Vec<&str> = EXERCISES.iter().map(|marked| marked.name).collect();
         assert_eq!(marked, graded);
-        for Exercise { name, file, rubric, exam, .. } in &EXERCISES {
+        for exercise in &EXERCISES {
+            let Exercise { name, file, rubric, exam, .. } = exercise;
             assert_eq!((rubric.exercise, exam(1).rubric.exercise), (*name, *name));
-            assert_eq!(*file, format!("{name}.rs"));
+            assert_eq!(*file, format!("{}.rs", exercise.crate_name()));
         }
     }
 }

@@ -77,6 +77,16 @@ fn wrong(exercise: &Exercise) -> String {
             ("    from\n}", "    from.conjugate()\n}"),
             ("vec![Quat::IDENTITY;", "vec![Quat::from_rotation_x(1.0);"),
         ],
+        "acclaim" => &[
+            ("    Quat::IDENTITY\n}", "    Quat::from_rotation_x(1.0)\n}"),
+            ("(parent_end, parent_end)\n}", "(parent_end, -parent_end)\n}"),
+            ("visitor.visit(bone);\n}", "visitor.visit(bone);\n    visitor.visit(bone);\n}"),
+        ],
+        "time-warp" => &[
+            ("after: new_frame, t: 0.0 }", "after: new_frame + 1, t: 0.125 }"),
+            ("from.clone()\n}", "Posture { angles: Vec::new(), ..from.clone() }\n}"),
+            ("postures.to_vec()\n}", "postures.iter().rev().cloned().collect()\n}"),
+        ],
         _ => &[
             ("    0.0\n}", "    1.0\n}"),
             ("    0.0\n}", "    1.0\n}"),
@@ -103,8 +113,9 @@ fn secrets(exam: &Exam) -> Vec<String> {
         let expected = details.iter().filter_map(|detail| detail.strip_prefix("Expected: "));
         secrets.extend(expected.map(ToOwned::to_owned));
     }
-    // A small number or a name can stand anywhere.
-    let tells = |secret: &String| secret.contains(|c: char| c.is_ascii_digit()) && secret.len() >= 8;
+    // A small number or a name can stand anywhere. How many frames a motion has is no secret.
+    let is_long = |secret: &String| secret.contains(|c: char| c.is_ascii_digit()) && secret.len() >= 8;
+    let tells = |secret: &String| is_long(secret) && !secret.ends_with(" frames");
     secrets.into_iter().filter(tells).collect()
 }
 
