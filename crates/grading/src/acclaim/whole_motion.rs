@@ -120,7 +120,7 @@ impl RightPlaces {
 
     /// What is not a number is off, too.
     fn is_off(&self, distance: f32) -> bool {
-        !(distance <= POSITION_TOLERANCE * self.skeleton.extent())
+        distance.is_nan() || distance > POSITION_TOLERANCE * self.skeleton.extent()
     }
 }
 
