@@ -1,5 +1,6 @@
 //! What counts as right in the exercise on keyframes, and what is said when something is not.
 
+use std::cmp::Ordering;
 use std::time::Duration;
 
 use exam::{Functions, InProcess};
@@ -7,7 +8,7 @@ use grading::{
     CheckState, Exam, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble, grade_part, grade_whole_motion,
     keyframes,
 };
-use skeleton::{FrameErrors, KeyframesFunctions, Pose, RemovalCosts, Skeleton};
+use skeleton::{FrameErrors, JointId, KeyframesFunctions, Pose, RemovalCosts, Skeleton};
 
 const NO_LIMIT: Duration = Duration::from_secs(3600);
 
@@ -72,14 +73,87 @@ mod plain {
     }
 }
 
+/// With parents in a set, gaps that are remembered, and costs in a sorted set beside a linked list.
+mod sorted {
+    use std::collections::{BTreeSet, HashMap, HashSet};
+
+    use super::*;
+
+    pub const FUNCTIONS: KeyframesFunctions = KeyframesFunctions { pose_error, removal_cost, reduce };
+
+    fn pose_error(skeleton: &Skeleton, original: &Pose, interpolated: &Pose) -> f64 {
+        let parents: HashSet<JointId> = skeleton.joints().iter().filter_map(|joint| joint.parent).collect();
+        let tips = skeleton.joints().iter().map(|joint| joint.id).filter(|id| !parents.contains(id));
+        let coordinates = |pose: &Pose, id| pose[id].position.to_array().map(f64::from);
+        tips.map(|id| {
+            let (a, b) = (coordinates(original, id), coordinates(interpolated, id));
+            (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>()
+        })
+        .sum()
+    }
+
+    fn removal_cost(before: usize, frame: usize, after: usize, errors: &FrameErrors) -> f64 {
+        let mut known = HashMap::new();
+        let mut gap = |start, end| {
+            let error = || (start..=end).rev().map(|i| errors.between(start, end, i)).sum::<f64>();
+            *known.entry((start, end)).or_insert_with(error)
+        };
+        gap(before, after) - (gap(before, frame) + gap(frame, after))
+    }
+
+    fn reduce(frame_count: usize, count: usize, costs: &RemovalCosts) -> Vec<usize> {
+        let mut before: Vec<usize> = (0..frame_count).map(|frame| frame.saturating_sub(1)).collect();
+        let mut after: Vec<usize> = (1..=frame_count).collect();
+        let mut kept: BTreeSet<usize> = (0..frame_count).collect();
+        let is_inner = |frame: usize| frame > 0 && frame + 1 < frame_count;
+        let mut known = vec![Cost(0.0); frame_count];
+        let mut order = BTreeSet::new();
+        for frame in (0..frame_count).filter(|frame| is_inner(*frame)) {
+            known[frame] = Cost(costs.of(frame - 1, frame, frame + 1));
+            order.insert((known[frame], frame));
+        }
+        while kept.len() > count {
+            let Some((_, frame)) = order.pop_first() else { break };
+            kept.remove(&frame);
+            let (left, right) = (before[frame], after[frame]);
+            (after[left], before[right]) = (right, left);
+            for neighbour in [left, right].into_iter().filter(|frame| is_inner(*frame)) {
+                order.remove(&(known[neighbour], neighbour));
+                known[neighbour] = Cost(costs.of(before[neighbour], neighbour, after[neighbour]));
+                order.insert((known[neighbour], neighbour));
+            }
+        }
+        kept.into_iter().collect()
+    }
+
+    #[derive(Clone, Copy, PartialEq)]
+    struct Cost(f64);
+
+    impl Eq for Cost {}
+
+    impl PartialOrd for Cost {
+        fn partial_cmp(&self, other: &Cost) -> Option<Ordering> {
+            Some(self.cmp(other))
+        }
+    }
+
+    impl Ord for Cost {
+        fn cmp(&self, other: &Cost) -> Ordering {
+            self.0.total_cmp(&other.0)
+        }
+    }
+}
+
 #[test]
-fn sums_in_single_precision_and_slow_loops_are_right() {
+fn single_precision_slow_loops_and_other_collections_are_right() {
     for seed in (0..40).map(|n| n * 3001 + PUBLIC_SEED) {
         let exam = keyframes::exam(seed, &Solutions);
-        for part in 0..3 {
-            assert_eq!(report(&exam, part, plain::FUNCTIONS).state, PartState::Right, "seed {seed}");
+        for functions in [plain::FUNCTIONS, sorted::FUNCTIONS] {
+            for part in 0..3 {
+                assert_eq!(report(&exam, part, functions).state, PartState::Right, "seed {seed}");
+            }
+            assert!(trouble(&exam, functions).is_none(), "seed {seed}");
         }
-        assert!(trouble(&exam, plain::FUNCTIONS).is_none(), "seed {seed}");
     }
 }
 
