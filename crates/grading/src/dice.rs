@@ -41,7 +41,7 @@ impl Dice {
     /// An angle in degrees whose size is between `low` and `high`, of either sign, with two decimals as in a file.
     pub(crate) fn angle(&mut self, low: f32, high: f32) -> f32 {
         let sign = if self.below(2) == 0 { 1.0 } else { -1.0 };
-        (sign * self.between(low, high) * 100.0).round() / 100.0
+        two_decimals(sign * self.between(low, high))
     }
 
     /// A vector whose components are between `low` and `high` in size, of either sign.
@@ -54,6 +54,26 @@ impl Dice {
         let axis = self.vector(0.4, 1.0).normalize();
         Quat::from_axis_angle(axis, self.angle(40.0, 140.0) / 360.0 * TAU)
     }
+}
+
+/// With two decimals, as in a file.
+pub(crate) fn two_decimals(number: f32) -> f32 {
+    (number * 100.0).round() / 100.0
+}
+
+/// Throws the dice until what they show will do, so often `at_most`. Far fewer throws are needed: the tests of whoever calls
+/// this make sure of it.
+pub(crate) fn until<T>(at_most: usize, mut throw: impl FnMut() -> T, will_do: impl Fn(&T) -> bool) -> T {
+    for _ in 1..at_most {
+        let thrown = throw();
+        if will_do(&thrown) {
+            return thrown;
+        }
+    }
+    #[cfg(test)]
+    unreachable!("{at_most} throws, and none will do");
+    #[cfg(not(test))]
+    throw()
 }
 
 /// The hash of Fowler, Noll and Vo (FNV-1a, 64 bits), which never changes.

@@ -16,6 +16,44 @@ pub struct Exam {
     pub whole_motion: WholeMotion,
 }
 
+/// What is known of an exercise's functions beforehand, apart from the right ones.
+pub(crate) struct Known {
+    /// The untouched template.
+    pub template: Functions,
+    /// Of a part, by its id: ways that get full points, with a remark.
+    pub accepted: fn(&str) -> Vec<Accepted>,
+    /// Of a part, by its id: ways to be wrong that have a name.
+    pub misconceptions: fn(&str) -> Vec<Misconception>,
+}
+
+impl Exam {
+    /// Fills the rubric with questions: `cases` are those of a part and a check, by their ids.
+    pub(crate) fn fill(
+        rubric: &'static Rubric,
+        known: &Known,
+        cases: impl Fn(&str, &str) -> Vec<Case>,
+        whole_motion: WholeMotion,
+    ) -> Exam {
+        let part = |part: &'static PartRubric| {
+            let check =
+                |rubric: &'static CheckRubric| CheckPaper { rubric, cases: cases(part.id, rubric.id) };
+            PartPaper {
+                rubric: part,
+                checks: part.checks.iter().map(check).collect(),
+                template: known.template,
+                accepted: (known.accepted)(part.id),
+                misconceptions: (known.misconceptions)(part.id),
+            }
+        };
+        Exam { rubric, parts: rubric.parts.iter().map(part).collect(), whole_motion }
+    }
+}
+
+/// An input as a student reads it: its name, and its value with its unit.
+pub(crate) fn input(name: impl Into<String>, value: impl Into<String>) -> (String, String) {
+    (name.into(), value.into())
+}
+
 /// The questions of one part.
 #[derive(Debug)]
 pub struct PartPaper {

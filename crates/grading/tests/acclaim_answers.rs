@@ -1,47 +1,29 @@
 //! What counts as right in the exercise on Acclaim forward kinematics, and what is said when something is not.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-use std::time::Duration;
+#[path = "support/marks.rs"]
+mod marks;
 
-use exam::{Functions, InProcess};
+use exam::Functions;
 use glam::{Mat3, Quat, Vec3};
 use grading::acclaim::exam;
-use grading::{
-    CheckState, Exam, FirstCase, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble, WholeReport,
-    grade_part, grade_whole_motion,
-};
+use grading::{Exam, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble, WholeReport};
 use skeleton::Axis;
 use skeleton::acclaim::{AcclaimFunctions, Bone, BoneId, Skeleton, Visitor};
 use solutions::ACCLAIM;
 
-const NO_LIMIT: Duration = Duration::from_secs(3600);
+use marks::{first_case, lost_checks, names};
 
 fn report(exam: &Exam, part: usize, functions: AcclaimFunctions) -> PartReport {
-    grade_part(&mut InProcess(Functions::Acclaim(functions)), &exam.parts[part], NO_LIMIT)
+    marks::report(exam, part, Functions::Acclaim(functions))
 }
 
 fn public_report(part: usize, functions: AcclaimFunctions) -> PartReport {
     report(&exam(PUBLIC_SEED, &Solutions), part, functions)
 }
 
-fn names(report: &PartReport) -> Vec<&'static str> {
-    report.named.iter().map(|named| named.id).collect()
-}
-
-fn lost(report: &PartReport) -> Vec<&'static str> {
-    let lost = report.checks.iter().filter(|check| !matches!(check.state, CheckState::Right));
-    lost.map(|check| check.rubric.id).collect()
-}
-
-fn first_case<'a>(report: &'a PartReport, check: &str) -> &'a FirstCase {
-    let check = report.checks.iter().find(|known| known.rubric.id == check).unwrap();
-    let CheckState::Wrong(first) = &check.state else { panic!("{check:?}") };
-    first
-}
-
 fn whole(functions: AcclaimFunctions) -> WholeReport {
-    let whole = &exam(PUBLIC_SEED, &Solutions).whole_motion;
-    grade_whole_motion(&mut InProcess(Functions::Acclaim(functions)), whole, NO_LIMIT)
+    marks::whole(&exam(PUBLIC_SEED, &Solutions), Functions::Acclaim(functions))
 }
 
 mod right {
@@ -54,11 +36,7 @@ mod right {
                 let report = report(&exam, part, functions);
                 assert_eq!(report.state, PartState::Right, "seed {seed}: {report:?}");
             }
-            let whole = grade_whole_motion(
-                &mut InProcess(Functions::Acclaim(functions)),
-                &exam.whole_motion,
-                NO_LIMIT,
-            );
+            let whole = marks::whole(&exam, Functions::Acclaim(functions));
             assert!(whole.trouble.is_none(), "seed {seed}: {whole:?}");
         }
     }
@@ -162,10 +140,10 @@ mod wrong {
         let functions = AcclaimFunctions { bone_rotation: rotation, bone_ends: ends, ..ACCLAIM };
         let rotations = public_report(0, functions);
         assert_eq!(names(&rotations), ["rest_left_out", "xyz_order"]);
-        assert_eq!(lost(&rotations), ["root", "angles", "rest"]);
+        assert_eq!(lost_checks(&rotations), ["root", "angles", "rest"]);
         let ends = public_report(1, functions);
         assert_eq!(names(&ends), ["parent_end_not_added", "start_at_origin"]);
-        assert_eq!(lost(&ends), ["start", "end", "translation"]);
+        assert_eq!(lost_checks(&ends), ["start", "end", "translation"]);
     }
 
     #[test]
@@ -228,7 +206,7 @@ mod wrong {
             (from, from + rotation * (bone.length * unit) + moved)
         };
         let report = public_report(1, AcclaimFunctions { bone_ends, ..ACCLAIM });
-        assert_eq!(lost(&report), ["end"]);
+        assert_eq!(lost_checks(&report), ["end"]);
         assert_eq!(first_case(&report, "end").groups, ["the root, which has no length"]);
     }
 }

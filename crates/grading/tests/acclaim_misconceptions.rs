@@ -1,135 +1,52 @@
 //! Every misconception about bones costs what it should, is named, and is taken for no other: on the public seed and on 20
 //! more.
 
-use std::time::Duration;
+#[path = "support/marks.rs"]
+mod marks;
 
-use exam::{Functions, InProcess};
-use grading::acclaim::{RUBRIC, TEMPLATE, accepted, exam, misconceptions};
-use grading::{
-    CheckState, Exam, Misconception, PUBLIC_SEED, PartReport, PartRubric, PartState, Solutions, Trouble,
-    grade_part, grade_whole_motion,
-};
+use exam::Functions;
+use grading::acclaim::{RUBRIC, TEMPLATE, accepted, misconceptions};
+use grading::{Exercise, Trouble};
 
-const NO_LIMIT: Duration = Duration::from_secs(3600);
 const RIGHT: Functions = Functions::Acclaim(solutions::ACCLAIM);
-
-fn exams() -> impl Iterator<Item = (u64, Exam)> {
-    let seeds = (0..20).map(|n| n * 7919 + 1).chain([PUBLIC_SEED]);
-    seeds.map(|seed| (seed, exam(seed, &Solutions)))
-}
-
-fn reports(exam: &Exam, functions: Functions) -> Vec<PartReport> {
-    exam.parts.iter().map(|part| grade_part(&mut InProcess(functions), part, NO_LIMIT)).collect()
-}
-
-fn lost_checks(report: &PartReport) -> Vec<&'static str> {
-    let lost = report.checks.iter().filter(|check| !matches!(check.state, CheckState::Right));
-    lost.map(|check| check.rubric.id).collect()
-}
-
-fn names(report: &PartReport) -> Vec<&'static str> {
-    report.named.iter().map(|named| named.id).collect()
-}
-
-fn points(reports: &[PartReport]) -> Vec<u32> {
-    reports.iter().map(PartReport::points).collect()
-}
-
-fn full_points() -> Vec<u32> {
-    RUBRIC.parts.iter().map(PartRubric::points).collect()
-}
-
-#[test]
-fn each_part_is_worth_5_points() {
-    assert_eq!(full_points(), [5, 5, 5]);
-}
 
 #[test]
 fn the_solution_gets_all_points_and_no_remark() {
-    for (seed, exam) in exams() {
-        let reports = reports(&exam, RIGHT);
-        assert_eq!(points(&reports), full_points(), "seed {seed}");
-        for report in reports {
-            let PartReport { state, remark, named, .. } = report;
-            assert_eq!((state, remark, named.len()), (PartState::Right, None, 0), "seed {seed}");
-        }
-        let whole = grade_whole_motion(&mut InProcess(RIGHT), &exam.whole_motion, NO_LIMIT);
-        assert!(whole.trouble.is_none(), "seed {seed}: {whole:?}");
-    }
+    marks::all_points_and_no_remark(RIGHT);
 }
 
 #[test]
 fn the_template_is_not_started() {
-    for (seed, exam) in exams() {
-        let reports = reports(&exam, Functions::Acclaim(TEMPLATE));
-        assert_eq!(points(&reports), [0, 0, 0], "seed {seed}");
-        assert!(reports.iter().all(|report| report.state == PartState::NotStarted), "seed {seed}");
-    }
+    marks::not_started(Functions::Acclaim(TEMPLATE));
 }
 
 #[test]
 fn a_short_pi_gets_all_points_and_a_remark() {
-    for (seed, exam) in exams() {
-        for accepted in accepted("part1") {
-            let reports = reports(&exam, accepted.functions);
-            assert_eq!(points(&reports), full_points(), "seed {seed}");
-            assert_eq!(reports[0].remark, Some(accepted.remark), "seed {seed}");
-            let whole = grade_whole_motion(&mut InProcess(accepted.functions), &exam.whole_motion, NO_LIMIT);
-            assert!(whole.trouble.is_none(), "seed {seed}");
-        }
-    }
+    marks::accepted_with_a_remark(0, &accepted("part1"));
 }
 
 #[test]
 fn each_misconception_costs_its_checks_and_is_the_only_one_named() {
-    let mut troubles = Vec::new();
-    for (seed, exam) in exams() {
-        for (part, rubric) in RUBRIC.parts.iter().enumerate() {
-            for misconception in misconceptions(rubric.id) {
-                for (index, variant) in misconception.variants.iter().enumerate() {
-                    let what = format!("seed {seed}, {}, {}, variant {index}", rubric.id, misconception.id);
-                    troubles.extend(check_variant(&exam, part, &misconception, *variant, &what));
-                }
-            }
-        }
-    }
-    assert!(troubles.is_empty(), "{} troubles\n{}", troubles.len(), troubles.join("\n"));
+    marks::each_costs_its_checks_and_is_the_only_one_named(Exercise::of(&RIGHT));
 }
 
-/// What is not as it should be with one variant.
-fn check_variant(
-    exam: &Exam,
-    part: usize,
-    misconception: &Misconception,
-    variant: Functions,
-    what: &str,
-) -> Vec<String> {
-    let reports = reports(exam, variant);
-    let mut troubles = Vec::new();
-    let lost = lost_checks(&reports[part]);
-    if lost != misconception.costs {
-        troubles.push(format!("{what}: costs {lost:?} and not {:?}", misconception.costs));
-    }
-    let names = names(&reports[part]);
-    if names != [misconception.id] {
-        troubles.push(format!("{what}: is called {names:?}"));
-    }
-    for (other, report) in reports.iter().enumerate().filter(|(other, _)| *other != part) {
-        if report.state != PartState::Right {
-            troubles.push(format!("{what}: part {} is {:?}", other + 1, lost_checks(report)));
-        }
-    }
-    troubles
+#[test]
+fn every_misconception_says_what_and_why_and_what_next() {
+    marks::each_says_what_and_why_and_what_next(
+        Exercise::of(&RIGHT),
+        &["You ", "Of the bones that hang on one, you "],
+        45,
+    );
 }
 
 /// All of them but those that visit too much, or that only show when one begins in the middle.
 #[test]
 fn nearly_every_misconception_shows_in_the_whole_motion() {
     const UNSEEN: [&str; 3] = ["visited_again", "own_siblings", "other_bones"];
-    for (seed, exam) in exams() {
+    for (seed, exam) in marks::exams(Exercise::of(&RIGHT)) {
         for misconception in RUBRIC.parts.iter().flat_map(|part| misconceptions(part.id)) {
             for variant in &misconception.variants {
-                let whole = grade_whole_motion(&mut InProcess(*variant), &exam.whole_motion, NO_LIMIT);
+                let whole = marks::whole(&exam, *variant);
                 let is_seen = matches!(whole.trouble, Some(Trouble::Different { .. }));
                 assert_eq!(
                     is_seen,
@@ -140,29 +57,4 @@ fn nearly_every_misconception_shows_in_the_whole_motion() {
             }
         }
     }
-}
-
-#[test]
-fn every_misconception_says_what_and_why_and_what_next() {
-    let mut ids = Vec::new();
-    for part in RUBRIC.parts {
-        for misconception in misconceptions(part.id) {
-            let Misconception { id, title, explanation, hint, costs, seen_in, variants } = misconception;
-            let begins = ["You ", "Of the bones that hang on one, you "];
-            assert!(begins.iter().any(|begin| title.starts_with(begin)), "{id}: {title}");
-            assert!(title.ends_with('.'), "{id}: {title}");
-            assert!(explanation.len() > 60 && explanation.ends_with('.'), "{id}: {explanation}");
-            assert!(hint.len() > 20, "{id}: {hint}");
-            assert!(!costs.is_empty() && !seen_in.is_empty() && !variants.is_empty(), "{id}");
-            assert!(
-                seen_in.iter().any(|check| costs.contains(check)),
-                "{id} is seen only where it costs nothing"
-            );
-            let known = |check: &&str| part.checks.iter().any(|known| known.id == *check);
-            assert!(seen_in.iter().chain(costs).all(known), "{id}: no such check in {}", part.id);
-            assert!(!ids.contains(&id), "{id} is there twice");
-            ids.push(id);
-        }
-    }
-    assert!(ids.len() >= 45, "{} misconceptions", ids.len());
 }

@@ -3,116 +3,31 @@
 //! In each variant part 3 calls the variant's own parts 1 and 2. So this shows as well that a mistake in them does not
 //! cost points in part 3 again.
 
-use std::time::Duration;
+#[path = "support/marks.rs"]
+mod marks;
 
-use exam::{Functions, InProcess};
-use grading::interpolation::{RUBRIC, TEMPLATE, accepted, exam, misconceptions};
-use grading::{
-    CheckState, Exam, Misconception, PUBLIC_SEED, PartReport, PartRubric, PartState, Solutions, grade_part,
-    grade_whole_motion,
-};
+use exam::Functions;
+use grading::Exercise;
+use grading::interpolation::{TEMPLATE, accepted};
 
-const NO_LIMIT: Duration = Duration::from_secs(3600);
 const RIGHT: Functions = Functions::Interpolation(solutions::INTERPOLATION);
-
-fn exams() -> impl Iterator<Item = (u64, Exam)> {
-    let seeds = (0..20).map(|n| n * 7919 + 1).chain([PUBLIC_SEED]);
-    seeds.map(|seed| (seed, exam(seed, &Solutions)))
-}
-
-fn reports(exam: &Exam, functions: Functions) -> Vec<PartReport> {
-    exam.parts.iter().map(|part| grade_part(&mut InProcess(functions), part, NO_LIMIT)).collect()
-}
-
-fn lost_checks(report: &PartReport) -> Vec<&'static str> {
-    let lost = report.checks.iter().filter(|check| !matches!(check.state, CheckState::Right));
-    lost.map(|check| check.rubric.id).collect()
-}
-
-fn names(report: &PartReport) -> Vec<&'static str> {
-    report.named.iter().map(|named| named.id).collect()
-}
-
-fn points(reports: &[PartReport]) -> Vec<u32> {
-    reports.iter().map(PartReport::points).collect()
-}
-
-fn full_points() -> Vec<u32> {
-    RUBRIC.parts.iter().map(PartRubric::points).collect()
-}
 
 #[test]
 fn the_solution_gets_all_points_and_no_remark() {
-    for (seed, exam) in exams() {
-        let reports = reports(&exam, RIGHT);
-        assert_eq!(points(&reports), full_points(), "seed {seed}");
-        for report in reports {
-            let PartReport { state, remark, named, .. } = report;
-            assert_eq!((state, remark, named.len()), (PartState::Right, None, 0), "seed {seed}");
-        }
-    }
+    marks::all_points_and_no_remark(RIGHT);
 }
 
 #[test]
 fn the_template_is_not_started() {
-    for (seed, exam) in exams() {
-        let reports = reports(&exam, Functions::Interpolation(TEMPLATE));
-        assert_eq!(points(&reports), [0, 0, 0], "seed {seed}");
-        assert!(reports.iter().all(|report| report.state == PartState::NotStarted), "seed {seed}");
-    }
+    marks::not_started(Functions::Interpolation(TEMPLATE));
 }
 
 #[test]
 fn a_short_pi_gets_all_points_and_a_remark() {
-    for (seed, exam) in exams() {
-        for accepted in accepted("part3") {
-            let reports = reports(&exam, accepted.functions);
-            assert_eq!(points(&reports), full_points(), "seed {seed}");
-            assert_eq!(reports[2].remark, Some(accepted.remark), "seed {seed}");
-            let whole = grade_whole_motion(&mut InProcess(accepted.functions), &exam.whole_motion, NO_LIMIT);
-            assert!(whole.trouble.is_none(), "seed {seed}");
-        }
-    }
+    marks::accepted_with_a_remark(2, &accepted("part3"));
 }
 
 #[test]
 fn each_misconception_costs_its_checks_and_is_the_only_one_named() {
-    let mut troubles = Vec::new();
-    for (seed, exam) in exams() {
-        for (part, rubric) in RUBRIC.parts.iter().enumerate() {
-            for misconception in misconceptions(rubric.id) {
-                for (index, variant) in misconception.variants.iter().enumerate() {
-                    let what = format!("seed {seed}, {}, {}, variant {index}", rubric.id, misconception.id);
-                    troubles.extend(check_variant(&exam, part, &misconception, *variant, &what));
-                }
-            }
-        }
-    }
-    assert!(troubles.is_empty(), "{} troubles\n{}", troubles.len(), troubles.join("\n"));
-}
-
-/// What is not as it should be with one variant.
-fn check_variant(
-    exam: &Exam,
-    part: usize,
-    misconception: &Misconception,
-    variant: Functions,
-    what: &str,
-) -> Vec<String> {
-    let reports = reports(exam, variant);
-    let mut troubles = Vec::new();
-    let lost = lost_checks(&reports[part]);
-    if lost != misconception.costs {
-        troubles.push(format!("{what}: costs {lost:?} and not {:?}", misconception.costs));
-    }
-    let names = names(&reports[part]);
-    if names != [misconception.id] {
-        troubles.push(format!("{what}: is called {names:?}"));
-    }
-    for (other, report) in reports.iter().enumerate().filter(|(other, _)| *other != part) {
-        if report.state != PartState::Right {
-            troubles.push(format!("{what}: part {} is {:?}", other + 1, lost_checks(report)));
-        }
-    }
-    troubles
+    marks::each_costs_its_checks_and_is_the_only_one_named(Exercise::of(&RIGHT));
 }

@@ -2,36 +2,31 @@
 //! part 1 or 2 all of part 3's.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-use std::time::Duration;
+#[path = "support/marks.rs"]
+mod marks;
 
-use exam::{Functions, InProcess};
+use exam::Functions;
 use glam::{EulerRot, Mat3, Quat, Vec4};
 use grading::interpolation::exam;
-use grading::{CheckState, PUBLIC_SEED, PartReport, Solutions, grade_part};
+use grading::{PUBLIC_SEED, PartReport, Solutions};
 use skeleton::{
     Axis, Frame, InterpolationFunctions, Joint, LocalPose, Representation, RotationOrder, Skeleton,
 };
 use solutions::INTERPOLATION;
 
-const NO_LIMIT: Duration = Duration::from_secs(3600);
+use marks::lost_checks;
 
 /// The reports on all parts, for the public seed and some others.
 fn reports(functions: InterpolationFunctions) -> impl Iterator<Item = Vec<PartReport>> {
     let seeds = [PUBLIC_SEED, 0, 1, 2, 3, 77, 1_000_003, u64::MAX];
-    seeds.into_iter().map(move |seed| {
-        let mut subject = InProcess(Functions::Interpolation(functions));
-        exam(seed, &Solutions).parts.iter().map(|part| grade_part(&mut subject, part, NO_LIMIT)).collect()
-    })
-}
-
-fn lost(report: &PartReport) -> Vec<&'static str> {
-    let lost = report.checks.iter().filter(|check| !matches!(check.state, CheckState::Right));
-    lost.map(|check| check.rubric.id).collect()
+    seeds
+        .into_iter()
+        .map(move |seed| marks::reports(&exam(seed, &Solutions), Functions::Interpolation(functions)))
 }
 
 fn assert_all_right(what: &str, functions: InterpolationFunctions) {
     for report in reports(functions).flatten() {
-        assert!(lost(&report).is_empty() && report.remark.is_none(), "{what}: {report:?}");
+        assert!(lost_checks(&report).is_empty() && report.remark.is_none(), "{what}: {report:?}");
     }
 }
 
@@ -262,9 +257,9 @@ fn a_frame_may_be_put_together_with_what_glam_has() {
 fn wrong_parts_1_and_2_cost_nothing_in_part_3_whatever_the_signs_of_its_quaternions() {
     for interpolate_frame in [frame::<false, false>, frame::<true, false>] {
         for reports in reports(InterpolationFunctions { interpolate_frame, ..NEVER_SHORTER }) {
-            assert_eq!(lost(&reports[0]), ["across", "turns", "ends"]);
-            assert_eq!(lost(&reports[1]), ["shorter_way", "close", "ends"]);
-            assert!(lost(&reports[2]).is_empty(), "{:?}", reports[2]);
+            assert_eq!(lost_checks(&reports[0]), ["across", "turns", "ends"]);
+            assert_eq!(lost_checks(&reports[1]), ["shorter_way", "close", "ends"]);
+            assert!(lost_checks(&reports[2]).is_empty(), "{:?}", reports[2]);
         }
     }
 }
@@ -273,7 +268,7 @@ fn wrong_parts_1_and_2_cost_nothing_in_part_3_whatever_the_signs_of_its_quaterni
 fn a_right_part_3_may_do_without_wrong_parts_1_and_2() {
     let functions =
         InterpolationFunctions { interpolate_frame: INTERPOLATION.interpolate_frame, ..NEVER_SHORTER };
-    assert!(reports(functions).all(|reports| lost(&reports[2]).is_empty()));
+    assert!(reports(functions).all(|reports| lost_checks(&reports[2]).is_empty()));
 }
 
 #[test]
@@ -287,7 +282,7 @@ fn a_wrong_part_3_costs_points_even_with_wrong_parts_1_and_2() {
         ..NEVER_SHORTER
     };
     for reports in reports(functions) {
-        assert_eq!(lost(&reports[2]), ["euler", "quaternion"]);
+        assert_eq!(lost_checks(&reports[2]), ["euler", "quaternion"]);
     }
 }
 
@@ -299,9 +294,8 @@ fn a_straight_line_between_what_is_not_close_is_no_other_way() {
     });
     // On many seeds: it must not depend on them.
     for seed in 0..60 {
-        let mut subject = InProcess(Functions::Interpolation(functions));
-        let report = grade_part(&mut subject, &exam(seed, &Solutions).parts[1], NO_LIMIT);
-        assert_eq!(lost(&report), ["near", "shorter_way"], "seed {seed}");
+        let report = marks::report(&exam(seed, &Solutions), 1, Functions::Interpolation(functions));
+        assert_eq!(lost_checks(&report), ["near", "shorter_way"], "seed {seed}");
     }
 }
 
@@ -317,6 +311,6 @@ fn rotations_that_are_the_same_for_all_joints_are_nobodys_own() {
         },
     };
     for reports in reports(functions) {
-        assert_eq!(lost(&reports[2]), ["euler", "quaternion"]);
+        assert_eq!(lost_checks(&reports[2]), ["euler", "quaternion"]);
     }
 }

@@ -1,38 +1,21 @@
 //! What is said about several mistakes at once, about one that nobody knows, and about what is not a number.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-use std::time::Duration;
+#[path = "support/marks.rs"]
+mod marks;
 
-use exam::{Functions, InProcess};
+use exam::Functions;
 use glam::{Quat, Vec3};
-use grading::interpolation::{RUBRIC, TEMPLATE, exam, misconceptions};
-use grading::{
-    CheckState, FirstCase, Misconception, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble,
-    WholeReport, grade_part, grade_whole_motion,
-};
+use grading::interpolation::{TEMPLATE, exam};
+use grading::{CheckState, Exercise, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble, WholeReport};
 use skeleton::{Frame, InterpolationFunctions, LocalPose, Representation, RotationOrder, Skeleton};
 use solutions::INTERPOLATION;
 
-const NO_LIMIT: Duration = Duration::from_secs(3600);
+use marks::{first_case, lost_checks, names};
 
 fn report(functions: InterpolationFunctions, part: usize) -> PartReport {
     let exam = exam(PUBLIC_SEED, &Solutions);
-    grade_part(&mut InProcess(Functions::Interpolation(functions)), &exam.parts[part], NO_LIMIT)
-}
-
-fn names(report: &PartReport) -> Vec<&'static str> {
-    report.named.iter().map(|named| named.id).collect()
-}
-
-fn lost(report: &PartReport) -> Vec<&'static str> {
-    let lost = report.checks.iter().filter(|check| !matches!(check.state, CheckState::Right));
-    lost.map(|check| check.rubric.id).collect()
-}
-
-fn first_case<'a>(report: &'a PartReport, check: &str) -> &'a FirstCase {
-    let check = report.checks.iter().find(|known| known.rubric.id == check).unwrap();
-    let CheckState::Wrong(first) = &check.state else { panic!("{check:?}") };
-    first
+    marks::report(&exam, part, Functions::Interpolation(functions))
 }
 
 #[test]
@@ -54,7 +37,7 @@ fn textbook(from: Quat, to: Quat, t: f32) -> Quat {
 fn the_bare_formula_is_told_of_the_shorter_way_first() {
     let report = report(InterpolationFunctions { slerp: textbook, ..INTERPOLATION }, 1);
     assert_eq!(names(&report), ["no_shorter_way", "rotation_goes_on"]);
-    assert_eq!(lost(&report), ["shorter_way", "close", "ends"]);
+    assert_eq!(lost_checks(&report), ["shorter_way", "close", "ends"]);
     assert!(report.named[0].seen_in.contains(&"close"), "that is what it costs");
 }
 
@@ -66,7 +49,7 @@ fn a_scaled_line_is_recognised_although_it_does_not_take_the_shorter_way() {
     };
     let report = report(InterpolationFunctions { slerp, ..INTERPOLATION }, 1);
     assert_eq!(names(&report), ["uneven_speed"]);
-    assert_eq!(lost(&report), ["near", "shorter_way", "close"]);
+    assert_eq!(lost_checks(&report), ["near", "shorter_way", "close"]);
 }
 
 #[test]
@@ -82,7 +65,7 @@ fn another_mistake_with_equal_rotations_is_not_called_a_division_by_zero() {
         (INTERPOLATION.slerp)(from, to, t) * if is_same { 2.0 } else { 1.0 }
     });
     let report = report(adds, 1);
-    assert_eq!((lost(&report), names(&report)), (vec!["close"], vec![]));
+    assert_eq!((lost_checks(&report), names(&report)), (vec!["close"], vec![]));
 }
 
 #[test]
@@ -214,8 +197,7 @@ fn one_wrong_order_of_six_is_pointed_out() {
 }
 
 fn whole(functions: InterpolationFunctions) -> WholeReport {
-    let whole = &exam(PUBLIC_SEED, &Solutions).whole_motion;
-    grade_whole_motion(&mut InProcess(Functions::Interpolation(functions)), whole, NO_LIMIT)
+    marks::whole(&exam(PUBLIC_SEED, &Solutions), Functions::Interpolation(functions))
 }
 
 #[test]
@@ -247,23 +229,6 @@ fn the_whole_motion_says_which_joint_is_farthest_off_and_when() {
 
 #[test]
 fn every_misconception_says_what_and_why_and_what_next() {
-    let mut ids = Vec::new();
-    for part in RUBRIC.parts {
-        for misconception in misconceptions(part.id) {
-            let Misconception { id, title, explanation, hint, costs, seen_in, variants } = misconception;
-            assert!(title.starts_with("You") && title.ends_with('.'), "{id}: {title}");
-            assert!(explanation.len() > 60 && explanation.ends_with('.'), "{id}: {explanation}");
-            assert!(hint.len() > 20, "{id}: {hint}");
-            assert!(!costs.is_empty() && !seen_in.is_empty() && !variants.is_empty(), "{id}");
-            assert!(
-                seen_in.iter().any(|check| costs.contains(check)),
-                "{id} is seen only where it costs nothing"
-            );
-            let known = |check: &&str| part.checks.iter().any(|known| known.id == *check);
-            assert!(seen_in.iter().chain(costs).all(known), "{id}: no such check in {}", part.id);
-            assert!(!ids.contains(&id), "{id} is there twice");
-            ids.push(id);
-        }
-    }
-    assert!(ids.len() >= 35, "{} misconceptions", ids.len());
+    let exercise = Exercise::of(&Functions::Interpolation(INTERPOLATION));
+    marks::each_says_what_and_why_and_what_next(exercise, &["You"], 35);
 }

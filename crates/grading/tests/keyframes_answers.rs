@@ -1,28 +1,24 @@
 //! What counts as right in the exercise on keyframes, and what is said when something is not.
 
+#[path = "support/marks.rs"]
+mod marks;
+
 use std::cmp::Ordering;
-use std::time::Duration;
 
-use exam::{Functions, InProcess};
-use grading::{
-    CheckState, Exam, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble, grade_part, grade_whole_motion,
-    keyframes,
-};
+use exam::Functions;
+use grading::{CheckState, Exam, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble, keyframes};
 use skeleton::{FrameErrors, JointId, KeyframesFunctions, Pose, RemovalCosts, Skeleton};
-
-const NO_LIMIT: Duration = Duration::from_secs(3600);
 
 fn public() -> Exam {
     keyframes::exam(PUBLIC_SEED, &Solutions)
 }
 
 fn report(exam: &Exam, part: usize, functions: KeyframesFunctions) -> PartReport {
-    grade_part(&mut InProcess(Functions::keyframes(functions)), &exam.parts[part], NO_LIMIT)
+    marks::report(exam, part, Functions::keyframes(functions))
 }
 
 fn trouble(exam: &Exam, functions: KeyframesFunctions) -> Option<Trouble> {
-    let functions = Functions::keyframes(functions);
-    grade_whole_motion(&mut InProcess(functions), &exam.whole_motion, NO_LIMIT).trouble
+    marks::whole(exam, Functions::keyframes(functions)).trouble
 }
 
 /// Everything in `f32`, and all costs looked at again for each removal: as a student may well write it.
@@ -275,7 +271,7 @@ fn the_whole_motion_is_no_easy_one() {
         for (part, id) in ids {
             let all = keyframes::misconceptions(part);
             let wrong = &all.iter().find(|misconception| misconception.id == id).unwrap().variants[0];
-            let report = grade_whole_motion(&mut InProcess(*wrong), &exam.whole_motion, NO_LIMIT);
+            let report = marks::whole(&exam, *wrong);
             assert!(matches!(report.trouble, Some(Trouble::Different { .. })), "seed {seed}, {id}");
         }
     }

@@ -1,44 +1,15 @@
 //! Every misconception about keyframes costs what it should, is named, and is taken for no other: on the public seed and on
 //! 20 more.
 
-use std::time::Duration;
+#[path = "support/marks.rs"]
+mod marks;
 
 use exam::keyframes::Triples;
-use exam::{Answer, Functions, InProcess, Question};
-use grading::{
-    CheckState, Exam, Misconception, PUBLIC_SEED, PartReport, PartRubric, PartState, Solutions, grade_part,
-    grade_whole_motion, keyframes,
-};
+use exam::{Answer, Functions, Question};
+use grading::{CheckState, Exercise, PUBLIC_SEED, PartState, Solutions, keyframes};
 use skeleton::{FrameErrors, KeyframesFunctions, RemovalCosts};
 
-const NO_LIMIT: Duration = Duration::from_secs(3600);
-const PARTS: [&str; 3] = ["part1", "part2", "part3"];
-
-fn exams() -> impl Iterator<Item = (u64, Exam)> {
-    let seeds = (0..20).map(|n| n * 7919 + 1).chain([PUBLIC_SEED]);
-    seeds.map(|seed| (seed, keyframes::exam(seed, &Solutions)))
-}
-
-fn reports(exam: &Exam, functions: Functions) -> Vec<PartReport> {
-    exam.parts.iter().map(|part| grade_part(&mut InProcess(functions), part, NO_LIMIT)).collect()
-}
-
-fn lost_checks(report: &PartReport) -> Vec<&'static str> {
-    let lost = report.checks.iter().filter(|check| !matches!(check.state, CheckState::Right));
-    lost.map(|check| check.rubric.id).collect()
-}
-
-fn full_points() -> Vec<u32> {
-    keyframes::RUBRIC.parts.iter().map(PartRubric::points).collect()
-}
-
-fn points(reports: &[PartReport]) -> Vec<u32> {
-    reports.iter().map(PartReport::points).collect()
-}
-
-fn named(report: &PartReport) -> Vec<&'static str> {
-    report.named.iter().map(|named| named.id).collect()
-}
+use marks::names;
 
 fn solution() -> Functions {
     Functions::keyframes(solutions::KEYFRAMES)
@@ -46,58 +17,34 @@ fn solution() -> Functions {
 
 #[test]
 fn the_solution_gets_all_points_and_no_remark() {
-    for (seed, exam) in exams() {
-        let reports = reports(&exam, solution());
-        assert_eq!(points(&reports), full_points(), "seed {seed}");
-        for report in reports {
-            assert_eq!(
-                (report.state, report.remark, report.named.len()),
-                (PartState::Right, None, 0),
-                "seed {seed}"
-            );
-        }
-        let whole = grade_whole_motion(&mut InProcess(solution()), &exam.whole_motion, NO_LIMIT);
-        assert!(whole.trouble.is_none(), "seed {seed}: {whole:?}");
-    }
+    marks::all_points_and_no_remark(solution());
 }
 
 #[test]
 fn the_template_is_not_started() {
-    for (seed, exam) in exams() {
-        let reports = reports(&exam, Functions::keyframes(keyframes::TEMPLATE));
-        assert_eq!(points(&reports), [0, 0, 0], "seed {seed}");
-        assert!(reports.iter().all(|report| report.state == PartState::NotStarted), "seed {seed}");
-    }
+    marks::not_started(Functions::keyframes(keyframes::TEMPLATE));
 }
 
 #[test]
 fn each_misconception_costs_its_checks_and_is_the_only_one_named() {
-    for (seed, exam) in exams() {
-        for (part, id) in PARTS.into_iter().enumerate() {
-            for misconception in keyframes::misconceptions(id) {
-                for (index, variant) in misconception.variants.iter().enumerate() {
-                    let what = format!("seed {seed}, {id}, {}, variant {index}", misconception.id);
-                    check_variant(&exam, part, &misconception, *variant, &what);
-                }
-            }
-        }
-    }
+    marks::each_costs_its_checks_and_is_the_only_one_named(Exercise::of(&solution()));
 }
 
-fn check_variant(exam: &Exam, part: usize, misconception: &Misconception, variant: Functions, what: &str) {
-    let reports = reports(exam, variant);
-    assert_eq!(lost_checks(&reports[part]), misconception.costs, "{what}");
-    assert_eq!(named(&reports[part]), [misconception.id], "{what}");
-    for (other, report) in reports.iter().enumerate().filter(|(other, _)| *other != part) {
-        assert_eq!(report.state, PartState::Right, "{what}: part {}", other + 1);
-    }
+#[test]
+fn every_misconception_says_what_and_why_and_what_next() {
+    marks::each_says_what_and_why_and_what_next(
+        Exercise::of(&solution()),
+        &["You ", "Your ", "Of several that cost the same, you "],
+        25,
+    );
+    marks::each_is_seen_wherever_it_costs(Exercise::of(&solution()));
 }
 
 /// These are found with every question about many keyframes, and not only with one of them.
 #[test]
 fn every_case_with_many_removals_shows_costs_that_are_not_refreshed() {
     let traps = ["never_refreshed", "one_neighbour_refreshed", "outdated_costs_count"];
-    for (seed, exam) in exams() {
+    for (seed, exam) in marks::exams(Exercise::of(&solution())) {
         for case in &exam.parts[2].checks[1].cases {
             for misconception in keyframes::misconceptions("part3") {
                 for variant in misconception.variants.iter().filter(|_| traps.contains(&misconception.id)) {
@@ -149,9 +96,9 @@ fn two_misconceptions_in_one_function_are_both_named_when_they_show_in_different
         (0..frame_count).filter(|frame| !removed.contains(frame)).collect()
     }
     let functions = KeyframesFunctions { reduce: one_round_and_later_of_equals, ..solutions::KEYFRAMES };
-    for (seed, exam) in exams() {
-        let report = &reports(&exam, Functions::keyframes(functions))[2];
-        assert_eq!(named(report), ["never_refreshed", "later_of_equals"], "seed {seed}");
+    for (seed, exam) in marks::exams(Exercise::of(&solution())) {
+        let report = &marks::report(&exam, 2, Functions::keyframes(functions));
+        assert_eq!(names(report), ["never_refreshed", "later_of_equals"], "seed {seed}");
         assert_eq!(report.points(), 2, "seed {seed}");
     }
 }
@@ -162,29 +109,9 @@ fn a_mistake_that_nobody_knows_is_not_given_a_name() {
         solutions::keyframes::removal_cost(before, frame, after, errors) / 2.0
     }
     let functions = KeyframesFunctions { removal_cost: halved, ..solutions::KEYFRAMES };
-    let report = &reports(&keyframes::exam(PUBLIC_SEED, &Solutions), Functions::keyframes(functions))[1];
+    let report =
+        &marks::report(&keyframes::exam(PUBLIC_SEED, &Solutions), 1, Functions::keyframes(functions));
     assert_eq!((report.state, report.named.len(), report.points()), (PartState::Wrong, 0, 0));
     let CheckState::Wrong(first) = &report.checks[1].state else { panic!("{:?}", report.checks[1]) };
     assert!(first.difference.between.ends_with("(yours is 0.500 times the right one)"), "{first:?}");
-}
-
-#[test]
-fn every_misconception_says_what_and_why_and_what_next() {
-    let mut ids = Vec::new();
-    for misconception in PARTS.into_iter().flat_map(keyframes::misconceptions) {
-        let Misconception { id, title, explanation, hint, costs, seen_in, variants } = misconception;
-        let begins = ["You ", "Your ", "Of several that cost the same, you "];
-        assert!(begins.iter().any(|begin| title.starts_with(begin)) && title.ends_with('.'), "{id}: {title}");
-        assert!(explanation.len() > 60 && explanation.ends_with('.'), "{id}: {explanation}");
-        assert!(hint.len() > 20, "{id}: {hint}");
-        assert!(!costs.is_empty() && costs.iter().all(|check| seen_in.contains(check)), "{id}");
-        assert!(!variants.is_empty(), "{id}");
-        let known = |check: &&str| {
-            keyframes::RUBRIC.parts.iter().flat_map(|part| part.checks).any(|known| known.id == *check)
-        };
-        assert!(seen_in.iter().all(known), "{id} is seen in a check that does not exist");
-        assert!(!ids.contains(&id), "{id} is there twice");
-        ids.push(id);
-    }
-    assert!(ids.len() >= 25, "{} misconceptions", ids.len());
 }

@@ -1,41 +1,29 @@
 //! What is asked about time warping, and what is said when something is not right.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-use std::time::Duration;
+#[path = "support/marks.rs"]
+mod marks;
 
 use exam::time_warp::Question as TimeWarpQuestion;
-use exam::{Functions, InProcess, Question};
+use exam::{Functions, Question};
 use glam::{EulerRot, Mat3, Quat, Vec3};
 use grading::time_warp::exam;
-use grading::{
-    CheckState, Exam, FirstCase, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble, WholeReport,
-    grade_part, grade_whole_motion,
-};
+use grading::{CheckState, Exam, PUBLIC_SEED, PartReport, PartState, Solutions, Trouble, WholeReport};
 use skeleton::acclaim::{Between, Posture, TimeWarpFunctions};
 use solutions::TIME_WARP;
 
-const NO_LIMIT: Duration = Duration::from_secs(3600);
+use marks::{first_case, names};
 
 fn public() -> Exam {
     exam(PUBLIC_SEED, &Solutions)
 }
 
 fn report(functions: TimeWarpFunctions, part: usize) -> PartReport {
-    grade_part(&mut InProcess(Functions::TimeWarp(functions)), &public().parts[part], NO_LIMIT)
+    marks::report(&public(), part, Functions::TimeWarp(functions))
 }
 
 fn whole(functions: TimeWarpFunctions) -> WholeReport {
-    grade_whole_motion(&mut InProcess(Functions::TimeWarp(functions)), &public().whole_motion, NO_LIMIT)
-}
-
-fn names(report: &PartReport) -> Vec<&'static str> {
-    report.named.iter().map(|named| named.id).collect()
-}
-
-fn first_case<'a>(report: &'a PartReport, check: &str) -> &'a FirstCase {
-    let check = report.checks.iter().find(|known| known.rubric.id == check).unwrap();
-    let CheckState::Wrong(first) = &check.state else { panic!("{check:?}") };
-    first
+    marks::whole(&public(), Functions::TimeWarp(functions))
 }
 
 fn questions(exam: &Exam) -> Vec<Question> {
@@ -296,7 +284,7 @@ fn the_whole_motion_is_no_easy_one() {
                 let hidden = ["past_the_end", "upside_down", "few_digits", "last_kept"];
                 let shows = !hidden.contains(&misconception.id);
                 for wrong in &misconception.variants {
-                    let report = grade_whole_motion(&mut InProcess(*wrong), &exam.whole_motion, NO_LIMIT);
+                    let report = marks::whole(&exam, *wrong);
                     let is_off = matches!(report.trouble, Some(Trouble::Different { .. }));
                     assert!(is_off || !shows, "seed {seed}, {}", misconception.id);
                 }

@@ -2,37 +2,29 @@
 //! 1 or 2 all of part 3's.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-use std::time::Duration;
+#[path = "support/marks.rs"]
+mod marks;
 
-use exam::{Functions, InProcess};
+use exam::Functions;
 use glam::{EulerRot, Mat3, Quat, Vec3};
 use grading::time_warp::{TEMPLATE, exam};
-use grading::{CheckState, PUBLIC_SEED, PartReport, PartState, Solutions, grade_part, grade_whole_motion};
+use grading::{CheckState, PUBLIC_SEED, PartReport, PartState, Solutions};
 use skeleton::acclaim::{Between, Posture, TimeWarpFunctions};
 use solutions::TIME_WARP;
 
-const NO_LIMIT: Duration = Duration::from_secs(3600);
+use marks::lost_checks;
 
 /// The reports on all parts, for the public seed and some others.
 fn reports(functions: TimeWarpFunctions) -> impl Iterator<Item = Vec<PartReport>> {
     let seeds = [PUBLIC_SEED, 0, 1, 2, 3, 77, 1_000_003, u64::MAX];
-    seeds.into_iter().map(move |seed| {
-        let mut subject = InProcess(Functions::TimeWarp(functions));
-        exam(seed, &Solutions).parts.iter().map(|part| grade_part(&mut subject, part, NO_LIMIT)).collect()
-    })
-}
-
-fn lost(report: &PartReport) -> Vec<&'static str> {
-    let lost = report.checks.iter().filter(|check| !matches!(check.state, CheckState::Right));
-    lost.map(|check| check.rubric.id).collect()
+    seeds.into_iter().map(move |seed| marks::reports(&exam(seed, &Solutions), Functions::TimeWarp(functions)))
 }
 
 fn assert_all_right(what: &str, functions: TimeWarpFunctions) {
     for report in reports(functions).flatten() {
-        assert!(lost(&report).is_empty() && report.remark.is_none(), "{what}: {report:?}");
+        assert!(lost_checks(&report).is_empty() && report.remark.is_none(), "{what}: {report:?}");
     }
-    let whole = &exam(PUBLIC_SEED, &Solutions).whole_motion;
-    let report = grade_whole_motion(&mut InProcess(Functions::TimeWarp(functions)), whole, NO_LIMIT);
+    let report = marks::whole(&exam(PUBLIC_SEED, &Solutions), Functions::TimeWarp(functions));
     assert!(report.trouble.is_none(), "{what}: {report:?}");
 }
 
@@ -123,9 +115,9 @@ fn single_precision_costs_only_long_motions() {
         single!(|frame, old, new| frame / (new / old)),
     ] {
         for reports in reports(functions) {
-            assert_eq!(lost(&reports[0]), ["long"]);
+            assert_eq!(lost_checks(&reports[0]), ["long"]);
             assert_eq!(reports[0].named[0].id, "few_digits");
-            assert!(lost(&reports[1]).is_empty() && lost(&reports[2]).is_empty());
+            assert!(lost_checks(&reports[1]).is_empty() && lost_checks(&reports[2]).is_empty());
         }
     }
 }
@@ -245,16 +237,21 @@ const WRONG: TimeWarpFunctions = together!(
 #[test]
 fn wrong_parts_1_and_2_cost_nothing_in_part_3() {
     for reports in reports(WRONG) {
-        assert_eq!(lost(&reports[0]), ["slower", "faster", "last", "long"]);
-        assert_eq!(lost(&reports[1]), ["translations", "all_axes", "wrap"]);
-        assert_eq!((reports[2].state, lost(&reports[2]).len()), (PartState::Right, 0), "{:?}", reports[2]);
+        assert_eq!(lost_checks(&reports[0]), ["slower", "faster", "last", "long"]);
+        assert_eq!(lost_checks(&reports[1]), ["translations", "all_axes", "wrap"]);
+        assert_eq!(
+            (reports[2].state, lost_checks(&reports[2]).len()),
+            (PartState::Right, 0),
+            "{:?}",
+            reports[2]
+        );
     }
 }
 
 #[test]
 fn a_right_part_3_may_do_without_wrong_parts_1_and_2() {
     let functions = TimeWarpFunctions { warp: TIME_WARP.warp, ..WRONG };
-    assert!(reports(functions).all(|reports| lost(&reports[2]).is_empty()));
+    assert!(reports(functions).all(|reports| lost_checks(&reports[2]).is_empty()));
 }
 
 #[test]
@@ -268,7 +265,7 @@ fn a_wrong_part_3_costs_points_even_with_wrong_parts_1_and_2() {
         ..WRONG
     };
     for reports in reports(functions) {
-        assert_eq!(lost(&reports[2]), ["longer", "shorter", "same"]);
+        assert_eq!(lost_checks(&reports[2]), ["longer", "shorter", "same"]);
     }
 }
 
@@ -281,8 +278,8 @@ fn a_part_1_that_leaves_the_motion_costs_part_3_only_where_it_panics() {
         Between { before: place.floor() as usize, after: place.ceil() as usize, t: place.fract() as f32 }
     };
     for reports in reports(together!(PAST_THE_END, TIME_WARP.blend)) {
-        assert_eq!(lost(&reports[0]), ["last"]);
-        assert_eq!(lost(&reports[2]), ["longer", "few"]);
+        assert_eq!(lost_checks(&reports[0]), ["last"]);
+        assert_eq!(lost_checks(&reports[2]), ["longer", "few"]);
         assert!(matches!(reports[2].checks[0].state, CheckState::Failed { .. }), "{:?}", reports[2]);
     }
     let careful = TimeWarpFunctions {
@@ -296,7 +293,7 @@ fn a_part_1_that_leaves_the_motion_costs_part_3_only_where_it_panics() {
         },
         ..TIME_WARP
     };
-    assert!(reports(careful).all(|reports| lost(&reports[2]).is_empty()));
+    assert!(reports(careful).all(|reports| lost_checks(&reports[2]).is_empty()));
 }
 
 /// What the parts make of the motion is asked for with part 3, but an untouched part 3 is known by its own answers.
@@ -312,7 +309,7 @@ fn an_untouched_part_3_is_not_started_whatever_parts_1_and_2_are() {
         interpolate_frame: grading::interpolation::TEMPLATE.interpolate_frame,
         ..solutions::INTERPOLATION
     };
-    let part = &grading::interpolation::exam(PUBLIC_SEED, &Solutions).parts[2];
-    let report = grade_part(&mut InProcess(Functions::Interpolation(functions)), part, NO_LIMIT);
+    let exam = grading::interpolation::exam(PUBLIC_SEED, &Solutions);
+    let report = marks::report(&exam, 2, Functions::Interpolation(functions));
     assert_eq!(report.state, PartState::NotStarted, "{report:?}");
 }

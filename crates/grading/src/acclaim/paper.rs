@@ -10,22 +10,18 @@ use exam::{Answer, Functions, Question};
 use super::misconceptions::{accepted, misconceptions};
 use super::{RUBRIC, TEMPLATE, whole_motion};
 use crate::dice::Dice;
-use crate::{Case, CheckPaper, Difference, Exam, PartPaper, Reference};
+use crate::exam_paper::{Known, input};
+use crate::{Case, Difference, Exam, Reference};
 
 /// The exam on Acclaim forward kinematics. The same seed gives the same questions.
 pub fn exam(seed: u64, reference: &dyn Reference) -> Exam {
-    let parts = RUBRIC.parts.iter().map(|rubric| PartPaper {
-        rubric,
-        checks: rubric
-            .checks
-            .iter()
-            .map(|check| CheckPaper { rubric: check, cases: cases(seed, reference, rubric.id, check.id) })
-            .collect(),
-        template: Functions::Acclaim(TEMPLATE),
-        accepted: accepted(rubric.id),
-        misconceptions: misconceptions(rubric.id),
-    });
-    Exam { rubric: &RUBRIC, parts: parts.collect(), whole_motion: whole_motion::paper(seed, reference) }
+    let known = Known { template: Functions::Acclaim(TEMPLATE), accepted, misconceptions };
+    Exam::fill(
+        &RUBRIC,
+        &known,
+        |part, check| cases(seed, reference, part, check),
+        whole_motion::paper(seed, reference),
+    )
 }
 
 fn cases(seed: u64, reference: &dyn Reference, part: &str, check: &str) -> Vec<Case> {
@@ -53,8 +49,4 @@ struct Draft {
     group: Option<String>,
     /// The extent of the skeleton.
     size: f32,
-}
-
-fn input(name: &str, value: impl Into<String>) -> (String, String) {
-    (name.to_owned(), value.into())
 }

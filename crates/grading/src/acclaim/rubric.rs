@@ -14,9 +14,9 @@ pub static RUBRIC: Rubric = Rubric {
             title: "bone rotation",
             like_template: "no rotation, whatever the angles",
             checks: &[
-                check("root", 1, "the root, whose parent is the world"),
-                check("angles", 2, "a bone's three angles, in the order Z, Y, X"),
-                check("rest", 2, "axes that are turned against the parent's at rest"),
+                CheckRubric::new("root", 1, "the root, whose parent is the world"),
+                CheckRubric::new("angles", 2, "a bone's three angles, in the order Z, Y, X"),
+                CheckRubric::new("rest", 2, "axes that are turned against the parent's at rest"),
             ],
         },
         PartRubric {
@@ -25,9 +25,9 @@ pub static RUBRIC: Rubric = Rubric {
             title: "bone ends",
             like_template: "no length: the bone ends where it starts",
             checks: &[
-                check("start", 1, "the start is the parent's end"),
-                check("end", 3, "the end: length, direction and rotation"),
-                check("translation", 1, "an end that a translation moves"),
+                CheckRubric::new("start", 1, "the start is the parent's end"),
+                CheckRubric::new("end", 3, "the end: length, direction and rotation"),
+                CheckRubric::new("translation", 1, "an end that a translation moves"),
             ],
         },
         PartRubric {
@@ -36,15 +36,11 @@ pub static RUBRIC: Rubric = Rubric {
             title: "all bones",
             like_template: "nothing, and visits no other bone than the one it is given",
             checks: &[
-                check("chain", 1, "a chain of bones"),
-                check("siblings", 2, "several bones on one"),
-                check("subtree", 1, "a bone in the middle, and what hangs on it"),
-                check("all", 1, "a whole skeleton, every bone once and parents first"),
+                CheckRubric::new("chain", 1, "a chain of bones"),
+                CheckRubric::new("siblings", 2, "several bones on one"),
+                CheckRubric::new("subtree", 1, "a bone in the middle, and what hangs on it"),
+                CheckRubric::new("all", 1, "a whole skeleton, every bone once and parents first"),
             ],
         },
     ],
 };
-
-const fn check(id: &'static str, points: u32, title: &'static str) -> CheckRubric {
-    CheckRubric { id, points, title }
-}

@@ -11,8 +11,9 @@ use super::whole_motion::RightPoses;
 use super::{RUBRIC, TEMPLATE};
 use crate::compare::{quaternion, vector};
 use crate::dice::Dice;
+use crate::exam_paper::{Known, input};
 use crate::figure::{self, figure};
-use crate::{Case, CheckPaper, Difference, Exam, PartPaper, Reference, WholeMotion};
+use crate::{Case, Difference, Exam, Reference, WholeMotion};
 
 /// Frames of the whole motion that the three parts pose together.
 const WHOLE_MOTION_FRAMES: usize = 60;
@@ -21,18 +22,8 @@ const WHOLE_MOTION_FRAMES: usize = 60;
 pub fn exam(seed: u64, reference: &dyn Reference) -> Exam {
     let skeleton = figure(&mut Dice::new(seed, "fk figure"));
     let writer = Writer { seed, reference, size: skeleton.extent(), skeleton: &skeleton };
-    let parts = RUBRIC.parts.iter().map(|rubric| PartPaper {
-        rubric,
-        checks: rubric
-            .checks
-            .iter()
-            .map(|check| CheckPaper { rubric: check, cases: writer.cases(rubric.id, check.id) })
-            .collect(),
-        template: Functions::Fk(TEMPLATE),
-        accepted: accepted(rubric.id),
-        misconceptions: misconceptions(rubric.id),
-    });
-    Exam { rubric: &RUBRIC, parts: parts.collect(), whole_motion: writer.whole_motion() }
+    let known = Known { template: Functions::Fk(TEMPLATE), accepted, misconceptions };
+    Exam::fill(&RUBRIC, &known, |part, check| writer.cases(part, check), writer.whole_motion())
 }
 
 type Compare = fn(&Case, &Answer, &Answer) -> Option<Difference>;
@@ -205,8 +196,4 @@ impl Writer<'_> {
         let judge = Box::new(RightPoses { skeleton, question: question.clone(), expected });
         WholeMotion { question, judge }
     }
-}
-
-fn input(name: &str, value: String) -> (String, String) {
-    (name.to_owned(), value)
 }

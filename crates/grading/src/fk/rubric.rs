@@ -14,10 +14,14 @@ pub static RUBRIC: Rubric = Rubric {
             title: "local quaternion",
             like_template: "no rotation, whatever the angles",
             checks: &[
-                check("single_axis", 1, "one angle, the others zero"),
-                check("rotation_orders", 2, "three angles, in each of the six rotation orders"),
-                check("big_angles", 1, "angles beyond 180 degrees, of either sign"),
-                check("cursor", 1, "each joint takes its own angles from the frame, and NONE takes none"),
+                CheckRubric::new("single_axis", 1, "one angle, the others zero"),
+                CheckRubric::new("rotation_orders", 2, "three angles, in each of the six rotation orders"),
+                CheckRubric::new("big_angles", 1, "angles beyond 180 degrees, of either sign"),
+                CheckRubric::new(
+                    "cursor",
+                    1,
+                    "each joint takes its own angles from the frame, and NONE takes none",
+                ),
             ],
         },
         PartRubric {
@@ -26,10 +30,10 @@ pub static RUBRIC: Rubric = Rubric {
             title: "global quaternion",
             like_template: "the local rotation alone (`pose[joint.id]` is not filled in yet: it is the parent's that you need)",
             checks: &[
-                check("root", 1, "a root, which has no parent"),
-                check("child", 2, "a joint and its parent"),
-                check("branch", 1, "a joint at a branch: the joint before it is not its parent"),
-                check("deep", 1, "joints and End Sites far down a chain"),
+                CheckRubric::new("root", 1, "a root, which has no parent"),
+                CheckRubric::new("child", 2, "a joint and its parent"),
+                CheckRubric::new("branch", 1, "a joint at a branch: the joint before it is not its parent"),
+                CheckRubric::new("deep", 1, "joints and End Sites far down a chain"),
             ],
         },
         PartRubric {
@@ -38,15 +42,11 @@ pub static RUBRIC: Rubric = Rubric {
             title: "global position",
             like_template: "the local position alone",
             checks: &[
-                check("root", 1, "a root, which the frame moves"),
-                check("child", 2, "a joint or an End Site and its parent"),
-                check("branch", 1, "a joint at a branch: the joint before it is not its parent"),
-                check("moved", 1, "a joint with position channels of its own"),
+                CheckRubric::new("root", 1, "a root, which the frame moves"),
+                CheckRubric::new("child", 2, "a joint or an End Site and its parent"),
+                CheckRubric::new("branch", 1, "a joint at a branch: the joint before it is not its parent"),
+                CheckRubric::new("moved", 1, "a joint with position channels of its own"),
             ],
         },
     ],
 };
-
-const fn check(id: &'static str, points: u32, title: &'static str) -> CheckRubric {
-    CheckRubric { id, points, title }
-}

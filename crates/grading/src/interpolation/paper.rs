@@ -10,27 +10,17 @@ use exam::{Answer, Functions, Question};
 use super::misconceptions::{accepted, misconceptions};
 use super::{RUBRIC, TEMPLATE};
 use crate::dice::Dice;
+use crate::exam_paper::{Known, input};
 use crate::figure::figure;
-use crate::{Case, CheckPaper, Difference, Exam, PartPaper, Reference};
+use crate::{Case, Difference, Exam, Reference};
 
 /// The exam on interpolation. The same seed gives the same questions.
 pub fn exam(seed: u64, reference: &dyn Reference) -> Exam {
     let writer = Writer { seed, reference };
-    let parts = RUBRIC.parts.iter().map(|rubric| PartPaper {
-        rubric,
-        checks: rubric
-            .checks
-            .iter()
-            .map(|check| CheckPaper { rubric: check, cases: writer.cases(rubric.id, check.id) })
-            .collect(),
-        template: Functions::Interpolation(TEMPLATE),
-        accepted: accepted(rubric.id),
-        misconceptions: misconceptions(rubric.id),
-    });
-    let parts = parts.collect();
+    let known = Known { template: Functions::Interpolation(TEMPLATE), accepted, misconceptions };
     let skeleton = writer.skeleton();
     let whole_motion = frame::whole_motion(&writer, &mut writer.dice("whole motion"), &skeleton);
-    Exam { rubric: &RUBRIC, parts, whole_motion }
+    Exam::fill(&RUBRIC, &known, |part, check| writer.cases(part, check), whole_motion)
 }
 
 type Compare = fn(&Case, &Answer, &Answer) -> Option<Difference>;
@@ -78,10 +68,6 @@ impl Writer<'_> {
     }
 }
 
-fn input(name: &str, value: String) -> (String, String) {
-    (name.to_owned(), value)
-}
-
 /// Values for `t` between the ends. Half-way, which comes first, even some wrong ways are right.
 const BETWEEN: [f32; 6] = [0.5, 0.25, 0.1, 0.7, 0.3, 0.9];
 
@@ -91,9 +77,4 @@ const ENDS: [f32; 6] = [0.0, 1.0, -0.5, 1.5, -3.0, 4.0];
 /// 1 and −1 in turns.
 fn sign(number: usize) -> f32 {
     if number.is_multiple_of(2) { 1.0 } else { -1.0 }
-}
-
-/// With two decimals, as in a file.
-fn two_decimals(angle: f32) -> f32 {
-    (angle * 100.0).round() / 100.0
 }

@@ -9,23 +9,19 @@ use exam::{Answer, Functions, Question};
 
 use super::misconceptions::misconceptions;
 use super::{RUBRIC, TEMPLATE, compare, whole_motion};
-use crate::dice::Dice;
-use crate::{Case, CheckPaper, Exam, Misconception, PartPaper, Reference};
+use crate::dice::{self, Dice};
+use crate::exam_paper::{Known, input};
+use crate::{Case, Exam, Misconception, Reference};
 
 /// The exam on keyframes. The same seed gives the same questions.
 pub fn exam(seed: u64, reference: &dyn Reference) -> Exam {
-    let parts = RUBRIC.parts.iter().map(|rubric| PartPaper {
-        rubric,
-        checks: rubric
-            .checks
-            .iter()
-            .map(|check| CheckPaper { rubric: check, cases: cases(seed, reference, rubric.id, check.id) })
-            .collect(),
-        template: Functions::keyframes(TEMPLATE),
-        accepted: Vec::new(),
-        misconceptions: misconceptions(rubric.id),
-    });
-    Exam { rubric: &RUBRIC, parts: parts.collect(), whole_motion: whole_motion::paper(seed, reference) }
+    let known = Known { template: Functions::keyframes(TEMPLATE), accepted: |_| Vec::new(), misconceptions };
+    Exam::fill(
+        &RUBRIC,
+        &known,
+        |part, check| cases(seed, reference, part, check),
+        whole_motion::paper(seed, reference),
+    )
 }
 
 fn cases(seed: u64, reference: &dyn Reference, part: &str, check: &str) -> Vec<Case> {
@@ -75,21 +71,8 @@ fn ways(
 const MOST_THROWS: usize = 5000;
 
 /// Throws the dice until a question tells the misconceptions apart.
-pub(super) fn until<T>(mut throw: impl FnMut() -> T, tells: impl Fn(&T) -> bool) -> T {
-    for _ in 1..MOST_THROWS {
-        let thrown = throw();
-        if tells(&thrown) {
-            return thrown;
-        }
-    }
-    #[cfg(test)]
-    unreachable!("{MOST_THROWS} throws, and none tells the misconceptions apart");
-    #[cfg(not(test))]
-    throw()
-}
-
-fn input(name: impl Into<String>, value: impl Into<String>) -> (String, String) {
-    (name.into(), value.into())
+pub(super) fn until<T>(throw: impl FnMut() -> T, tells: impl Fn(&T) -> bool) -> T {
+    dice::until(MOST_THROWS, throw, tells)
 }
 
 #[cfg(test)]

@@ -14,10 +14,10 @@ pub static RUBRIC: Rubric = Rubric {
             title: "pose error",
             like_template: "0, whatever the poses",
             checks: &[
-                check("one_tip", 1, "one tip off"),
-                check("all_tips", 2, "all tips off: the sum of the squared distances"),
-                check("only_tips", 1, "other joints off, and tips in their places"),
-                check("leaves", 1, "a joint that nothing hangs on counts as a tip"),
+                CheckRubric::new("one_tip", 1, "one tip off"),
+                CheckRubric::new("all_tips", 2, "all tips off: the sum of the squared distances"),
+                CheckRubric::new("only_tips", 1, "other joints off, and tips in their places"),
+                CheckRubric::new("leaves", 1, "a joint that nothing hangs on counts as a tip"),
             ],
         },
         PartRubric {
@@ -26,10 +26,10 @@ pub static RUBRIC: Rubric = Rubric {
             title: "removal cost",
             like_template: "0, whatever is removed",
             checks: &[
-                check("first", 1, "the keyframes on both sides are the next frames"),
-                check("gap", 2, "other frames between the keyframes on both sides"),
-                check("lower", 1, "a removal that makes the accumulated error smaller"),
-                check("edges", 1, "the first and the last keyframes of the motion on both sides"),
+                CheckRubric::new("first", 1, "the keyframes on both sides are the next frames"),
+                CheckRubric::new("gap", 2, "other frames between the keyframes on both sides"),
+                CheckRubric::new("lower", 1, "a removal that makes the accumulated error smaller"),
+                CheckRubric::new("edges", 1, "the first and the last keyframes of the motion on both sides"),
             ],
         },
         PartRubric {
@@ -38,15 +38,11 @@ pub static RUBRIC: Rubric = Rubric {
             title: "reduction",
             like_template: "all frames as keyframes",
             checks: &[
-                check("one", 1, "one keyframe to remove"),
-                check("many", 2, "many keyframes to remove, with new costs after each"),
-                check("ties", 1, "several that cost the same: the earliest goes first"),
-                check("few", 1, "few frames, and counts below 2 or above all frames"),
+                CheckRubric::new("one", 1, "one keyframe to remove"),
+                CheckRubric::new("many", 2, "many keyframes to remove, with new costs after each"),
+                CheckRubric::new("ties", 1, "several that cost the same: the earliest goes first"),
+                CheckRubric::new("few", 1, "few frames, and counts below 2 or above all frames"),
             ],
         },
     ],
 };
-
-const fn check(id: &'static str, points: u32, title: &'static str) -> CheckRubric {
-    CheckRubric { id, points, title }
-}

@@ -9,24 +9,15 @@ use exam::{Answer, Functions, Question};
 
 use super::misconceptions::misconceptions;
 use super::{RUBRIC, TEMPLATE, whole_motion};
-use crate::dice::Dice;
-use crate::{Case, CheckPaper, Difference, Exam, PartPaper, Reference};
+use crate::dice::{self, Dice};
+use crate::exam_paper::{Known, input};
+use crate::{Case, Difference, Exam, Reference};
 
 /// The exam on time warping. The same seed gives the same questions.
 pub fn exam(seed: u64, reference: &dyn Reference) -> Exam {
-    let parts = RUBRIC.parts.iter().map(|rubric| PartPaper {
-        rubric,
-        checks: rubric
-            .checks
-            .iter()
-            .map(|check| CheckPaper { rubric: check, cases: cases(seed, reference, rubric.id, check.id) })
-            .collect(),
-        template: Functions::TimeWarp(TEMPLATE),
-        accepted: Vec::new(),
-        misconceptions: misconceptions(rubric.id),
-    });
+    let known = Known { template: Functions::TimeWarp(TEMPLATE), accepted: |_| Vec::new(), misconceptions };
     let whole_motion = whole_motion::paper(&mut dice(seed, "whole motion"), reference);
-    Exam { rubric: &RUBRIC, parts: parts.collect(), whole_motion }
+    Exam::fill(&RUBRIC, &known, |part, check| cases(seed, reference, part, check), whole_motion)
 }
 
 fn dice(seed: u64, topic: &str) -> Dice {
@@ -74,26 +65,8 @@ fn tell(part: &str, check: &str, cases: &[Case]) -> bool {
 const MOST_THROWS: usize = 2000;
 
 /// Throws the dice until what they show will do.
-pub(super) fn until<T>(mut throw: impl FnMut() -> T, will_do: impl Fn(&T) -> bool) -> T {
-    for _ in 1..MOST_THROWS {
-        let thrown = throw();
-        if will_do(&thrown) {
-            return thrown;
-        }
-    }
-    #[cfg(test)]
-    unreachable!("{MOST_THROWS} throws, and none will do");
-    #[cfg(not(test))]
-    throw()
-}
-
-fn input(name: impl Into<String>, value: impl Into<String>) -> (String, String) {
-    (name.into(), value.into())
-}
-
-/// With two decimals, as in a file.
-pub(super) fn two_decimals(number: f32) -> f32 {
-    (number * 100.0).round() / 100.0
+pub(super) fn until<T>(throw: impl FnMut() -> T, will_do: impl Fn(&T) -> bool) -> T {
+    dice::until(MOST_THROWS, throw, will_do)
 }
 
 #[cfg(test)]

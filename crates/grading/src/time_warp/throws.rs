@@ -3,9 +3,9 @@
 use glam::Vec3;
 use skeleton::acclaim::Posture;
 
-use super::paper::{two_decimals, until};
+use super::paper::until;
 use super::variants::quaternion;
-use crate::dice::Dice;
+use crate::dice::{Dice, two_decimals};
 
 /// The rotations between two postures keep so far away from a middle angle (about Y) of ±90 degrees. There the other two
 /// turn about one axis, and angles that are made of a quaternion become inexact: within 0.2 degrees of it, single precision

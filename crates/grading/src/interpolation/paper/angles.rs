@@ -2,9 +2,9 @@
 
 use exam::interpolation::Question as InterpolationQuestion;
 
-use super::{BETWEEN, ENDS, Writer, input, sign, two_decimals};
+use super::{BETWEEN, ENDS, Writer, input, sign};
 use crate::Case;
-use crate::dice::Dice;
+use crate::dice::{Dice, two_decimals};
 use crate::interpolation::compare;
 
 /// Less than half a turn, away from ±180 degrees. The first angle passes 0, up and down in turns.

@@ -5,8 +5,8 @@ use exam::interpolation::Question as InterpolationQuestion;
 use glam::Quat;
 use skeleton::{Axis, Channel, Frame, FrameCursor, Joint, Representation, RotationOrder, Skeleton};
 
-use super::{BETWEEN, Compare, Writer, input, two_decimals};
-use crate::dice::Dice;
+use super::{BETWEEN, Compare, Writer, input};
+use crate::dice::{Dice, two_decimals};
 use crate::figure::moved_position;
 use crate::interpolation::compare;
 use crate::interpolation::variants::quaternion;

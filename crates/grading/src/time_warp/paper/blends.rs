@@ -5,10 +5,10 @@ use exam::{Answer, Functions};
 use skeleton::Axis;
 use skeleton::acclaim::Posture;
 
-use super::{Compare, case, input, two_decimals, until};
+use super::{Compare, case, input, until};
 use crate::Case;
 use crate::compare::{angle_between, vector};
-use crate::dice::Dice;
+use crate::dice::{Dice, two_decimals};
 use crate::time_warp::compare::{self, in_degrees};
 use crate::time_warp::misconceptions::misconceptions;
 use crate::time_warp::throws;
