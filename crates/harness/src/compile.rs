@@ -115,7 +115,7 @@ impl Compiler<'_> {
         // `env!` gives what it gives under cargo, as far as that says nothing about this machine.
         let mut environment: Vec<(OsString, OsString)> = vec![
             ("TMPDIR".into(), folder.into()),
-            ("CARGO_PKG_NAME".into(), self.exercise.name.into()),
+            ("CARGO_PKG_NAME".into(), self.exercise.name().into()),
             ("CARGO_CRATE_NAME".into(), self.exercise.crate_name().into()),
             ("CARGO_PKG_VERSION".into(), env!("CARGO_PKG_VERSION").into()),
             ("CARGO_MANIFEST_DIR".into(), ".".into()),

@@ -1,94 +1,99 @@
 //! The exercises that can be marked.
 
 use grading::{Exam, Rubric, Solutions};
+use submissions::Wanted;
 
 /// What the harness knows of an exercise.
 #[derive(Debug)]
 pub struct Exercise {
-    /// The package's name, for example `fk`.
-    pub name: &'static str,
-    /// The file that students hand in.
-    pub file: &'static str,
-    /// The fixed part of the package that the file is a module of.
+    /// How it is graded.
+    graded: &'static grading::Exercise,
+    /// The fixed part of the package that the student's file is a module of.
     pub library: &'static str,
-    /// The file as it was handed out.
+    /// The student's file as it was handed out.
     pub template: &'static str,
-    /// What its parts are worth.
-    pub rubric: &'static Rubric,
     /// Whether its functions pose a figure, so that one pose can be drawn for the report.
     pub has_poses: bool,
-    /// The questions of a seed, with the right answers.
-    pub exam: fn(u64) -> Exam,
 }
 
-/// All exercises.
+/// All exercises, in the order of [`grading::EXERCISES`].
 pub static EXERCISES: [Exercise; 5] = [
     Exercise {
-        name: "fk",
-        file: "fk.rs",
+        graded: &grading::EXERCISES[0],
         library: include_str!("../../../exercises/fk/src/lib.rs"),
         template: include_str!("../../../solutions/templates/fk.rs"),
-        rubric: &grading::fk::RUBRIC,
         has_poses: true,
-        exam: |seed| grading::fk::exam(seed, &Solutions),
     },
     Exercise {
-        name: "interpolation",
-        file: "interpolation.rs",
+        graded: &grading::EXERCISES[1],
         library: include_str!("../../../exercises/interpolation/src/lib.rs"),
         template: include_str!("../../../solutions/templates/interpolation.rs"),
-        rubric: &grading::interpolation::RUBRIC,
         has_poses: false,
-        exam: |seed| grading::interpolation::exam(seed, &Solutions),
     },
     Exercise {
-        name: "keyframes",
-        file: "keyframes.rs",
+        graded: &grading::EXERCISES[2],
         library: include_str!("../../../exercises/keyframes/src/lib.rs"),
         template: include_str!("../../../solutions/templates/keyframes.rs"),
-        rubric: &grading::keyframes::RUBRIC,
         has_poses: false,
-        exam: |seed| grading::keyframes::exam(seed, &Solutions),
     },
     Exercise {
-        name: "acclaim",
-        file: "acclaim.rs",
+        graded: &grading::EXERCISES[3],
         library: include_str!("../../../exercises/acclaim/src/lib.rs"),
         template: include_str!("../../../solutions/templates/acclaim.rs"),
-        rubric: &grading::acclaim::RUBRIC,
         has_poses: false,
-        exam: |seed| grading::acclaim::exam(seed, &Solutions),
     },
     Exercise {
-        name: "time-warp",
-        file: "time_warp.rs",
+        graded: &grading::EXERCISES[4],
         library: include_str!("../../../exercises/time-warp/src/lib.rs"),
         template: include_str!("../../../solutions/templates/time_warp.rs"),
-        rubric: &grading::time_warp::RUBRIC,
         has_poses: false,
-        exam: |seed| grading::time_warp::exam(seed, &Solutions),
     },
 ];
 
 impl Exercise {
     /// The exercise of this name.
     pub fn named(name: &str) -> Option<&'static Exercise> {
-        EXERCISES.iter().find(|exercise| exercise.name == name)
+        EXERCISES.iter().find(|exercise| exercise.name() == name)
+    }
+
+    /// The package's name, for example `fk`.
+    pub fn name(&self) -> &'static str {
+        self.rubric().exercise
+    }
+
+    /// What its parts are worth.
+    pub fn rubric(&self) -> &'static Rubric {
+        self.graded.rubric
+    }
+
+    /// The questions of a seed, with the right answers.
+    pub fn exam(&self, seed: u64) -> Exam {
+        (self.graded.exam)(seed, &Solutions)
     }
 
     /// The package's name as Rust writes it.
     pub fn crate_name(&self) -> String {
-        self.name.replace('-', "_")
+        self.name().replace('-', "_")
+    }
+
+    /// The file that students hand in.
+    pub fn file(&self) -> String {
+        format!("{}.rs", self.crate_name())
+    }
+
+    /// The same, for those who look for it in what was handed in.
+    pub fn wanted(&self) -> Wanted {
+        Wanted { file_name: self.file(), home: self.path() }
     }
 
     /// Where the student's file lies, from the workspace's folder on. The compiler's messages name it so.
     pub fn path(&self) -> String {
-        format!("exercises/{}/src/{}", self.name, self.file)
+        format!("exercises/{}/src/{}", self.name(), self.file())
     }
 
     /// Where the fixed part lies.
     pub fn library_path(&self) -> String {
-        format!("exercises/{}/src/lib.rs", self.name)
+        format!("exercises/{}/src/lib.rs", self.name())
     }
 
     /// The worker's program: the exercise's library as students have it, and a main function. The student's file stays
@@ -104,13 +109,16 @@ mod tests {
 
     #[test]
     fn every_exercise_that_can_be_graded_can_be_marked() {
-        let graded: Vec<&str> = grading::EXERCISES.iter().map(|graded| graded.rubric.exercise).collect();
-        let marked: Vec<&str> = EXERCISES.iter().map(|marked| marked.name).collect();
-        assert_eq!(marked, graded);
-        for exercise in &EXERCISES {
-            let Exercise { name, file, rubric, exam, .. } = exercise;
-            assert_eq!((rubric.exercise, exam(1).rubric.exercise), (*name, *name));
-            assert_eq!(*file, format!("{}.rs", exercise.crate_name()));
+        assert_eq!(EXERCISES.len(), grading::EXERCISES.len());
+        for (exercise, graded) in EXERCISES.iter().zip(&grading::EXERCISES) {
+            let name = exercise.name();
+            assert_eq!((name, exercise.exam(1).rubric.exercise), (graded.rubric.exercise, name));
+            let names_its_file = format!("yours is `{}`.", exercise.file());
+            assert!(exercise.library.contains(&names_its_file), "{name}: another package's library");
+            for part in exercise.rubric().parts {
+                let signature = format!("pub fn {}(", part.function);
+                assert!(exercise.template.contains(&signature), "{name}: another package's template");
+            }
         }
     }
 }

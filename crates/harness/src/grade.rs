@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use results::Shard;
-use submissions::{Batch, Entry, Loaded, Wanted};
+use submissions::{Batch, Entry, Loaded};
 
 use crate::batch::{Jobs, is_harness_error};
 use crate::exercise::{EXERCISES, Exercise};
@@ -63,7 +63,7 @@ pub struct GradeArgs {
 }
 
 pub(crate) fn exercise(name: &str) -> Result<&'static Exercise, String> {
-    let names = || EXERCISES.iter().map(|exercise| exercise.name).collect::<Vec<_>>().join(", ");
+    let names = || EXERCISES.iter().map(|exercise| exercise.name()).collect::<Vec<_>>().join(", ");
     Exercise::named(name).ok_or_else(|| format!("there is {}", names()))
 }
 
@@ -82,7 +82,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 /// When something around the submissions fails. What is marked by then is kept.
 pub fn run(arguments: &GradeArgs, stop: &Arc<AtomicBool>) -> Result<Ended, Error> {
     orphans::adopt();
-    let batch = Batch::open(&arguments.submissions, &Wanted::exercise(arguments.exercise.name))?;
+    let batch = Batch::open(&arguments.submissions, &arguments.exercise.wanted())?;
     let out = &arguments.out;
     fs::create_dir_all(out).map_err(|error| Error::write(out, error))?;
     // Relative paths mean nothing in a sandbox.
@@ -149,7 +149,7 @@ fn write_sources(folder: &Path, batch: &Batch, entries: &[&Entry], exercise: &Ex
         if let Loaded::Source(source) = batch.load(entry) {
             let folder = folder.join(&entry.id);
             fs::create_dir_all(&folder).map_err(|error| Error::write(&folder, error))?;
-            let path = folder.join(exercise.file);
+            let path = folder.join(exercise.file());
             fs::write(&path, source.text).map_err(|error| Error::write(&path, error))?;
         }
     }

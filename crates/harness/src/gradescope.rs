@@ -12,7 +12,7 @@ use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 use results::Record;
-use submissions::{Loaded, Wanted};
+use submissions::Loaded;
 
 use crate::batch::{self, Marking};
 use crate::exercise::Exercise;
@@ -83,7 +83,7 @@ fn mark(arguments: &GradescopeArgs, submission: &Path) -> Result<serde_json::Val
     let marker = Marker::new(&workspace, arguments.exercise, seed, limits, protection, scratch.path())?;
 
     let info = marker.info(None);
-    let (entry, loaded) = submissions::read_one(submission, &Wanted::exercise(arguments.exercise.name));
+    let (entry, loaded) = submissions::read_one(submission, &arguments.exercise.wanted());
     let record: Record = match loaded {
         Loaded::Source(source) => {
             let outcome = marker.marking().mark(0, &scratch.path().join("0"), &source.text);
@@ -114,7 +114,7 @@ cargo run --release --locked --package harness -- doctor || true
 fn run_autograder(arguments: &GradescopeArgs) -> String {
     let seed = arguments.seed.unwrap_or_else(|| RandomState::new().hash_one(0));
     let unsandboxed = if arguments.unsandboxed { " --unsandboxed" } else { "" };
-    let exercise = arguments.exercise.name;
+    let exercise = arguments.exercise.name();
     format!(
         "#!/usr/bin/env bash
 # Runs for every submission.

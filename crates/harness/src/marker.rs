@@ -63,7 +63,7 @@ impl Marker {
             Protection::Strongest => Sandbox::strongest(launcher, &reads(&toolchain, &kit, scratch))?,
             Protection::None => Sandbox::unsandboxed(launcher),
         };
-        let exam = (exercise.exam)(seed);
+        let exam = exercise.exam(seed);
         let portrait = if exercise.has_poses { Some(Portrait::new()?) } else { None };
         Ok(Marker { exercise, toolchain, kit, sandbox, limits, seed, exam, portrait })
     }
@@ -94,9 +94,9 @@ impl Marker {
         let layers = self.sandbox.layers();
         RunInfo {
             schema: SCHEMA,
-            exercise: self.exercise.name.to_owned(),
-            title: self.exercise.rubric.title.to_owned(),
-            parts: parts(self.exercise.rubric),
+            exercise: self.exercise.name().to_owned(),
+            title: self.exercise.rubric().title.to_owned(),
+            parts: parts(self.exercise.rubric()),
             seed: self.seed,
             versions: versions.map(|(name, version)| (name.to_owned(), version.to_owned())).into(),
             limits: self.limits.in_words(),

@@ -8,7 +8,7 @@ use clap::Args;
 use grading::PUBLIC_SEED;
 use grading::scoreboard::Scoreboard;
 use results::Verdict;
-use submissions::{Loaded, Wanted};
+use submissions::Loaded;
 
 use crate::compile::Compiled;
 use crate::exercise::Exercise;
@@ -46,7 +46,7 @@ pub fn run(arguments: &SubmitArgs) -> Result<ExitCode, Error> {
     let path = workspace.join(arguments.exercise.path());
     let bytes = fs::read(&path).map_err(|error| Error::read(&path, error))?;
     let name = arguments.name.join(" ");
-    let wanted = Wanted::exercise(arguments.exercise.name);
+    let wanted = arguments.exercise.wanted();
     let packed = submissions::write_zip(&arguments.number, &name, &bytes, &wanted)?;
     let archive = arguments.out.join(&packed.file_name);
     whole_file::write(&archive, &packed.bytes)?;
@@ -91,7 +91,7 @@ fn check(arguments: &SubmitArgs, source: &str) -> Result<ExitCode, Error> {
             let marked = marking.examiner.mark(0, &worker, std::io::stdout());
             let marked = marked.map_err(|trouble| Error::Usage(trouble.to_string()))?;
             let board = Scoreboard {
-                rubric: arguments.exercise.rubric,
+                rubric: arguments.exercise.rubric(),
                 parts: &marked.parts,
                 whole: Some(&marked.whole),
             };

@@ -24,7 +24,7 @@ fn a_submission_is_marked_the_same() {
     let kit = Kit::build(&workspace, &toolchain).unwrap();
     let exercise = Exercise::named("fk").unwrap();
     let sandbox = Sandbox::unsandboxed(env!("CARGO_BIN_EXE_harness").into());
-    let exam = (exercise.exam)(7);
+    let exam = exercise.exam(7);
     let limits = Limits {
         cpu: Duration::from_secs(60),
         wall: Duration::from_secs(120),

@@ -21,15 +21,23 @@ fn a_solution_gets_all_points_and_a_template_none() {
         fs::create_dir(&given).unwrap();
         fs::write(given.join("300000001_Right.rs"), solution(exercise)).unwrap();
         fs::write(given.join("300000002_Untouched.rs"), exercise.template).unwrap();
+        // A file in a folder or an archive is found by its name.
+        fs::create_dir(given.join("300000004_Folder")).unwrap();
+        fs::write(given.join("300000004_Folder").join(exercise.file()), solution(exercise)).unwrap();
+        fs::write(given.join("300000004_Folder").join("trial.rs"), exercise.template).unwrap();
 
         let out = folder.path().join("out");
-        let output = Harness::grade(&given, &out).args(["--exercise", exercise.name]).output().unwrap();
+        let output = Harness::grade(&given, &out).args(["--exercise", exercise.name()]).output().unwrap();
         let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success(), "{}: {errors}", exercise.name);
+        assert!(output.status.success(), "{}: {errors}", exercise.name());
         let results = fs::read(out.join("results.json")).unwrap();
         let results: Value = serde_json::from_slice(&results).unwrap();
-        for (id, wanted) in [("300000001_Right", [5, 5, 5]), ("300000002_Untouched", [0, 0, 0])] {
-            assert_eq!(points(&results, id), wanted, "{}: {id}", exercise.name);
+        for (id, wanted) in [
+            ("300000001_Right", [5, 5, 5]),
+            ("300000002_Untouched", [0, 0, 0]),
+            ("300000004_Folder", [5, 5, 5]),
+        ] {
+            assert_eq!(points(&results, id), wanted, "{}: {id}", exercise.name());
         }
     }
 }
@@ -43,11 +51,11 @@ fn feedback_on_wrong_answers_tells_neither_questions_nor_right_answers() {
         fs::write(given.join("300000003_Wrong.rs"), wrong(exercise)).unwrap();
 
         let out = folder.path().join("out");
-        let output = Harness::grade(&given, &out).args(["--exercise", exercise.name]).output().unwrap();
+        let output = Harness::grade(&given, &out).args(["--exercise", exercise.name()]).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let results: Value = serde_json::from_slice(&fs::read(out.join("results.json")).unwrap()).unwrap();
         assert!(points(&results, "300000003_Wrong").iter().all(|points| *points < 5), "{results}");
-        let secrets = secrets(&(exercise.exam)(7));
+        let secrets = secrets(&exercise.exam(7));
         assert!(secrets.len() > 50, "{secrets:?}");
         let private = results.to_string();
         assert!(
@@ -58,7 +66,7 @@ fn feedback_on_wrong_answers_tells_neither_questions_nor_right_answers() {
             let feedback =
                 fs::read_to_string(out.join(format!("feedback/300000003_Wrong.{ending}"))).unwrap();
             for secret in &secrets {
-                assert!(!feedback.contains(secret), "{}: {secret}\n{feedback}", exercise.name);
+                assert!(!feedback.contains(secret), "{}: {secret}\n{feedback}", exercise.name());
             }
         }
     }
@@ -66,7 +74,7 @@ fn feedback_on_wrong_answers_tells_neither_questions_nor_right_answers() {
 
 /// The template with something else in the place of everything that it returns.
 fn wrong(exercise: &Exercise) -> String {
-    let replaced: &[(&str, &str)] = match exercise.name {
+    let replaced: &[(&str, &str)] = match exercise.name() {
         "fk" => &[
             ("    Quat::IDENTITY\n}", "    Quat::from_rotation_x(1.0)\n}"),
             ("    local\n}", "    local.conjugate()\n}"),
@@ -125,7 +133,7 @@ fn expected(case: &Case, wrong: &Answer) -> Option<String> {
 
 fn solution(exercise: &Exercise) -> String {
     let solutions = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../solutions/src");
-    fs::read_to_string(solutions.join(exercise.file)).unwrap()
+    fs::read_to_string(solutions.join(exercise.file())).unwrap()
 }
 
 /// The points of each part.

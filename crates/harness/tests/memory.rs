@@ -15,7 +15,7 @@ use harness::log::Log;
 use harness::{finish, picture};
 use peak_alloc::PeakAlloc;
 use results::{CompileError, RunInfo, SCHEMA, Verdict};
-use submissions::{Batch, Wanted};
+use submissions::Batch;
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
@@ -45,7 +45,7 @@ fn peak(count: usize) -> usize {
     std::fs::create_dir(&out).unwrap();
     MEMORY.reset_peak_usage();
 
-    let batch = Batch::open(&given, &Wanted::exercise("fk")).unwrap();
+    let batch = Batch::open(&given, &Exercise::named("fk").unwrap().wanted()).unwrap();
     let portrait = picture::Portrait::new().unwrap();
     let info = RunInfo {
         schema: SCHEMA,

@@ -52,13 +52,6 @@ pub struct Wanted {
     pub home: String,
 }
 
-impl Wanted {
-    /// The file `NAME.rs` of the exercise `NAME`, at `exercises/NAME/src/NAME.rs`.
-    pub fn exercise(name: &str) -> Self {
-        Self { file_name: format!("{name}.rs"), home: format!("exercises/{name}/src/{name}.rs") }
-    }
-}
-
 /// One submission: something that a student handed in.
 #[derive(Debug, Clone)]
 pub struct Entry {
