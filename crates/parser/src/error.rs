@@ -33,7 +33,62 @@ pub(crate) enum Common {
     /// A count is larger than any that can be held.
     LargeCount { found: String, expected: &'static str },
     /// A number is none that can be used.
-    BadNumber { found: String, problem: BadNumber, longest: usize },
+    Number(NumberError),
+}
+
+/// Why a number cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NumberError {
+    /// A number does not look like one.
+    #[error("found `{found}`, expected a number")]
+    NotANumber {
+        /// The word.
+        found: String,
+    },
+    /// A number with a comma or a semicolon.
+    #[error("found `{found}`, expected a number without a comma or a semicolon")]
+    Separator {
+        /// The word.
+        found: String,
+    },
+    /// NaN, or infinity, or too large to be held.
+    #[error("found `{found}`, expected a finite number")]
+    NotFinite {
+        /// The word.
+        found: String,
+    },
+    /// Something is longer than any number.
+    #[error("found more than {longest} characters without a blank, expected a number")]
+    LongNumber {
+        /// The longest that is read.
+        longest: usize,
+    },
+}
+
+impl NumberError {
+    /// What to do, in one or two sentences.
+    pub fn help(&self) -> &'static str {
+        match self {
+            NumberError::NotANumber { .. } => "Write a number such as -12.5 or 1e-6.",
+            NumberError::Separator { .. } => {
+                "Write a point in numbers (1.5, not 1,5), and put blanks between numbers, not commas or semicolons."
+            }
+            NumberError::NotFinite { .. } => {
+                "Such a number has no place in a skeleton. Put the right number there."
+            }
+            NumberError::LongNumber { .. } => "Look for a blank that is missing.",
+        }
+    }
+
+    fn new(found: String, problem: BadNumber) -> NumberError {
+        match problem {
+            BadNumber::NotANumber => NumberError::NotANumber { found },
+            BadNumber::Separator => NumberError::Separator { found },
+            BadNumber::NotFinite => NumberError::NotFinite { found },
+            BadNumber::TooLong => NumberError::LongNumber { longest: LONGEST_WORD },
+        }
+    }
 }
 
 /// Why a text cannot be read, and where.
@@ -135,7 +190,7 @@ impl<K: Kind> Error<K> {
         let problem = match problem {
             _ if word.is_empty() => Common::Ended { expected: "a number" },
             _ if is_conflict_mark(word) => Common::MergeConflict { found },
-            problem => Common::BadNumber { found, problem, longest: LONGEST_WORD },
+            problem => Common::Number(NumberError::new(found, problem)),
         };
         Error::here(source, Problem(problem).into())
     }

@@ -18,6 +18,6 @@ mod text;
 mod warning;
 mod words;
 
-pub use error::{Error, FileError, Kind, Problem};
+pub use error::{Error, FileError, Kind, NumberError, Problem};
 pub use snippet::{Snippet, printable};
 pub use warning::Warning;

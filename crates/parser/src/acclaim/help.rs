@@ -2,7 +2,6 @@
 
 use super::ErrorKind;
 use crate::error::{Common, Kind, Problem};
-use crate::number::BadNumber;
 
 impl From<Problem> for ErrorKind {
     fn from(Problem(problem): Problem) -> Self {
@@ -12,12 +11,7 @@ impl From<Problem> for ErrorKind {
             Common::Unexpected { found, expected } => ErrorKind::Unexpected { found, expected },
             Common::MergeConflict { found } => ErrorKind::MergeConflict { found },
             Common::LargeCount { found, expected } => ErrorKind::LargeCount { found, expected },
-            Common::BadNumber { found, problem, longest } => match problem {
-                BadNumber::NotANumber => ErrorKind::NotANumber { found },
-                BadNumber::Separator => ErrorKind::Separator { found },
-                BadNumber::NotFinite => ErrorKind::NotFinite { found },
-                BadNumber::TooLong => ErrorKind::LongNumber { longest },
-            },
+            Common::Number(problem) => ErrorKind::Number(problem),
         }
     }
 }
@@ -84,14 +78,7 @@ impl Kind for ErrorKind {
                 "Every frame has the same bones: add a line to the first frame, or delete this one."
             }
             ErrorKind::LargeCount { .. } => "Number the frames one by one, from 1.",
-            ErrorKind::NotANumber { .. } => "Write a number such as -12.5 or 1e-6.",
-            ErrorKind::Separator { .. } => {
-                "Write a point in numbers (1.5, not 1,5), and put blanks between numbers, not commas or semicolons."
-            }
-            ErrorKind::NotFinite { .. } => {
-                "Such a number has no place in a skeleton. Put the right number there."
-            }
-            ErrorKind::LongNumber { .. } => "Look for a blank that is missing.",
+            ErrorKind::Number(problem) => problem.help(),
             ErrorKind::Skeleton(_) => "Call it otherwise, here and wherever it is meant.",
             ErrorKind::Motion(_) => "Look at the lines just above.",
         }

@@ -5,6 +5,7 @@ use std::io;
 use skeleton::MotionError;
 use skeleton::acclaim::SkeletonError;
 
+use crate::error::NumberError;
 use crate::shown::counted;
 
 /// What is wrong: what was found and what was expected.
@@ -247,30 +248,9 @@ pub enum ErrorKind {
         /// What is counted.
         expected: &'static str,
     },
-    /// A number does not look like one.
-    #[error("found `{found}`, expected a number")]
-    NotANumber {
-        /// The word.
-        found: String,
-    },
-    /// A number with a comma or a semicolon.
-    #[error("found `{found}`, expected a number without a comma or a semicolon")]
-    Separator {
-        /// The word.
-        found: String,
-    },
-    /// NaN, or infinity, or too large to be held.
-    #[error("found `{found}`, expected a finite number")]
-    NotFinite {
-        /// The word.
-        found: String,
-    },
-    /// Something is longer than any number.
-    #[error("found more than {longest} characters without a blank, expected a number")]
-    LongNumber {
-        /// The longest that is read.
-        longest: usize,
-    },
+    /// A number is none that can be used.
+    #[error(transparent)]
+    Number(NumberError),
     /// The skeleton does not take a bone.
     #[error("{0}")]
     Skeleton(#[source] SkeletonError),

@@ -4,8 +4,7 @@ use std::io;
 
 use skeleton::{Channel, MotionError, SkeletonError};
 
-use crate::error::{Common, Kind, Problem};
-use crate::number::BadNumber;
+use crate::error::{Common, Kind, NumberError, Problem};
 use crate::shown::counted;
 
 /// What is wrong: what was found and what was expected.
@@ -105,30 +104,9 @@ pub enum ErrorKind {
         /// What is counted.
         expected: &'static str,
     },
-    /// A number does not look like one.
-    #[error("found `{found}`, expected a number")]
-    NotANumber {
-        /// The word.
-        found: String,
-    },
-    /// A number with a comma or a semicolon.
-    #[error("found `{found}`, expected a number without a comma or a semicolon")]
-    Separator {
-        /// The word.
-        found: String,
-    },
-    /// NaN, or infinity, or too large to be held.
-    #[error("found `{found}`, expected a finite number")]
-    NotFinite {
-        /// The word.
-        found: String,
-    },
-    /// Something is longer than any number.
-    #[error("found more than {longest} characters without a blank, expected a number")]
-    LongNumber {
-        /// The longest that is read.
-        longest: usize,
-    },
+    /// A number is none that can be used.
+    #[error(transparent)]
+    Number(NumberError),
     /// The skeleton does not take a joint.
     #[error("{0}")]
     Skeleton(#[source] SkeletonError),
@@ -175,12 +153,7 @@ impl From<Problem> for ErrorKind {
             Common::Unexpected { found, expected } => ErrorKind::Unexpected { found, expected },
             Common::MergeConflict { found } => ErrorKind::MergeConflict { found },
             Common::LargeCount { found, expected } => ErrorKind::LargeCount { found, expected },
-            Common::BadNumber { found, problem, longest } => match problem {
-                BadNumber::NotANumber => ErrorKind::NotANumber { found },
-                BadNumber::Separator => ErrorKind::Separator { found },
-                BadNumber::NotFinite => ErrorKind::NotFinite { found },
-                BadNumber::TooLong => ErrorKind::LongNumber { longest },
-            },
+            Common::Number(problem) => ErrorKind::Number(problem),
         }
     }
 }
@@ -212,14 +185,7 @@ impl Kind for ErrorKind {
             ErrorKind::NotClosed { .. } => "Every `{` needs its `}`: write it where the joint ends.",
             ErrorKind::NothingToClose => "Delete it, or look for a `{` that is missing above.",
             ErrorKind::LargeCount { .. } => "No file can hold so many: write how many there are.",
-            ErrorKind::NotANumber { .. } => "Write a number such as -12.5 or 1e-6.",
-            ErrorKind::Separator { .. } => {
-                "Write a point in numbers (1.5, not 1,5), and put blanks between numbers, not commas or semicolons."
-            }
-            ErrorKind::NotFinite { .. } => {
-                "Such a number has no place in a skeleton. Put the right number there."
-            }
-            ErrorKind::LongNumber { .. } => "Look for a blank that is missing.",
+            ErrorKind::Number(problem) => problem.help(),
             ErrorKind::Skeleton(_) | ErrorKind::Motion(_) => "Look at the lines just above.",
             ErrorKind::RowWidth { .. } => {
                 "Every frame has one number for each channel. Do the CHANNELS above belong to these frames?"
