@@ -20,14 +20,19 @@ pub enum Representation {
 impl Representation {
     /// Both of them.
     pub const ALL: [Representation; 2] = [Representation::Euler, Representation::Quaternion];
+
+    /// What is interpolated, in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Representation::Euler => "Euler angles",
+            Representation::Quaternion => "quaternions",
+        }
+    }
 }
 
 impl fmt::Display for Representation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Representation::Euler => "Euler angles",
-            Representation::Quaternion => "quaternions",
-        })
+        f.write_str(self.name())
     }
 }
 

@@ -100,7 +100,7 @@ impl Ink<'_> {
     fn frame(&mut self, plot: &Plot, place: Rectangle) -> Frame {
         let (padding, gap, line) = (self.pixels(PADDING), self.pixels(GAP), self.pixels(LINE));
         let numbers = plot.rows.iter().map(|tick| self.width(&tick.label)).fold(0.0, f32::max);
-        let names = plot.curves.iter().map(|curve| self.width(name(curve.representation)));
+        let names = plot.curves.iter().map(|curve| self.width(curve.representation.name()));
         let names = names.fold(0.0, f32::max);
         let left = place.left as f32 + padding + numbers.ceil() + gap;
         let top = place.top as f32 + padding + line + gap;
@@ -200,14 +200,7 @@ impl Ink<'_> {
             let ascent = 0.36 * self.text_size() as f32;
             let color = colors::curve(curve.representation);
             let left = frame.left + frame.width + 1.5 * self.pixels(GAP);
-            self.words(name(curve.representation), (left, place.y + ascent), color);
+            self.words(curve.representation.name(), (left, place.y + ascent), color);
         }
-    }
-}
-
-fn name(representation: Representation) -> &'static str {
-    match representation {
-        Representation::Euler => "Euler angles",
-        Representation::Quaternion => "quaternions",
     }
 }

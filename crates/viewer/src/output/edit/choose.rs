@@ -22,9 +22,6 @@ pub enum Method {
 }
 
 impl Method {
-    /// All of them.
-    pub const ALL: [Method; 4] = [Method::Greedy, Method::Moves, Method::Optimum, Method::Even];
-
     /// What it is called in a sentence and in a table.
     pub fn name(self) -> &'static str {
         match self {

@@ -6,6 +6,7 @@ use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use reduction::Curve;
+use skeleton::Representation;
 
 /// Width and height. A picture of lines has no pixels, but plotters places everything on whole ones: many make curves smooth.
 /// It is shown at half this size, so that it fits into a window.
@@ -129,11 +130,11 @@ impl Panel<'_> {
         let dashed = ShapeStyle::from(BLUE).stroke_width(5);
         chart
             .draw_series(LineSeries::new(euler, solid))?
-            .label("Euler angles")
+            .label(Representation::Euler.name())
             .legend(move |(x, y)| PathElement::new(vec![(x, y), (x + 96, y)], solid));
         chart
             .draw_series(DashedLineSeries::new(quaternions, dash, gap, dashed))?
-            .label("quaternions")
+            .label(Representation::Quaternion.name())
             .legend(move |(x, y)| DashedPathElement::new(vec![(x, y), (x + 96, y)], dash, gap, dashed));
         if has_legend {
             chart

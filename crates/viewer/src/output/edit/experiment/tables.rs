@@ -2,6 +2,7 @@
 
 use std::thread;
 
+use clap::ValueEnum;
 use inbetween::{InbetweenClip, Scratch};
 use reduction::Errors;
 use skeleton::RotationOrder;
@@ -21,7 +22,9 @@ pub fn methods(clip: &mut Clip, count: usize, optimum: bool) -> String {
         "RMS, Euler angles",
         "RMS, quaternions",
     ]);
-    for method in Method::ALL.into_iter().filter(|method| optimum || *method != Method::Optimum) {
+    for method in
+        Method::value_variants().iter().copied().filter(|method| optimum || *method != Method::Optimum)
+    {
         // One thread for each representation: the optimum of a long motion takes a while.
         let [euler, quaternions] = thread::scope(|scope| {
             let threads =
