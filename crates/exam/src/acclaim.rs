@@ -56,8 +56,8 @@ pub enum Answer {
     Ends(Vec3, Vec3),
     /// The bones in the order of their visits, up to twice as many as there are and one more.
     Visits(Vec<BoneId>),
-    /// For every frame the places of all bones. One that was not visited is at the origin.
-    Places(Vec<Vec<BonePlace>>),
+    /// For every frame the places of all bones; nothing for a bone that was not visited.
+    Places(Vec<Vec<Option<BonePlace>>>),
 }
 
 impl Question {
@@ -90,8 +90,8 @@ impl Question {
 
     /// More bytes than any honest answer to this question takes on the wire.
     pub(crate) fn answer_limit(&self) -> usize {
-        // A rotation and two positions.
-        const PER_BONE: usize = 40;
+        // Whether there is anything, a rotation and two positions.
+        const PER_BONE: usize = 41;
         let bones = match self {
             Question::Rotation { .. } | Question::Ends { .. } => 1,
             Question::Visits { skeleton, .. } => 2 * skeleton.len() + 1,
@@ -106,9 +106,14 @@ fn known(skeleton: &Skeleton, bone: BoneId) -> &Bone {
     skeleton.get(bone).unwrap_or(skeleton.root())
 }
 
-/// Where all bones are in `posture`: `visit_bones` decides which ones are worked out, and when.
-fn places(skeleton: &Skeleton, posture: &Posture, functions: &AcclaimFunctions) -> Vec<BonePlace> {
-    let mut places = vec![BonePlace::ORIGIN; skeleton.len()];
+/// Where `functions` put all bones in `posture`: `visit_bones` decides which ones are worked out, and when. Nothing for a bone
+/// that is not visited; what hangs on one that was not visited before hangs on the origin. A panic of theirs goes through.
+pub fn places(
+    skeleton: &Skeleton,
+    posture: &Posture,
+    functions: &AcclaimFunctions,
+) -> Vec<Option<BonePlace>> {
+    let mut places = vec![None; skeleton.len()];
     let mut see = |bone: &Bone| {
         let id = bone.id.0;
         let angles = posture.angles.get(id).copied().unwrap_or_default();
@@ -117,7 +122,7 @@ fn places(skeleton: &Skeleton, posture: &Posture, functions: &AcclaimFunctions) 
         let (parent, parent_end, translation) = match bone.parent {
             Some(parent) => {
                 // A bone that somebody has made up can have any parent.
-                let parent = places.get(parent.0).unwrap_or(&BonePlace::ORIGIN);
+                let parent = places.get(parent.0).copied().flatten().unwrap_or(BonePlace::ORIGIN);
                 (parent.rotation, parent.end, translation)
             }
             None => (Quat::IDENTITY, translation, Vec3::ZERO),
@@ -125,7 +130,7 @@ fn places(skeleton: &Skeleton, posture: &Posture, functions: &AcclaimFunctions) 
         let rotation = (functions.bone_rotation)(bone, angles, parent);
         let (start, end) = (functions.bone_ends)(bone, rotation, parent_end, translation);
         if let Some(place) = places.get_mut(id) {
-            *place = BonePlace { rotation, start, end };
+            *place = Some(BonePlace { rotation, start, end });
         }
     };
     (functions.visit_bones)(skeleton, skeleton.root(), &mut Visitor::new(&mut see));

@@ -49,6 +49,11 @@ impl Pose {
         &self.transforms
     }
 
+    /// The same, to be changed.
+    pub fn transforms_mut(&mut self) -> &mut [Transform] {
+        &mut self.transforms
+    }
+
     /// Puts `joints` joints back to the origin, not turned, and keeps the memory.
     pub fn reset(&mut self, joints: usize) {
         self.transforms.clear();

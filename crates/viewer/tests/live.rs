@@ -74,7 +74,7 @@ fn open(course: &Course, stage: &Arc<Stage>) -> Live {
         let target = folder.join("target");
         worker::compile_into(&target, Package::Fk, &folder, version).map(|program| program.worker())
     };
-    Live::open_with(&course.folder, vec![Arc::clone(stage)], vec![motion_file(course)], build)
+    Live::open_with(&course.folder, vec![Arc::clone(stage)], vec![vec![motion_file(course)]], build)
 }
 
 fn motion_file(course: &Course) -> PathBuf {

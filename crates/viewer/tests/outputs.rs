@@ -8,7 +8,7 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use command::view;
-use skeleton::{PositionChannels, Representation};
+use skeleton::Representation;
 use viewer::edit::ReferenceHand;
 use viewer::motion::source::Source;
 use viewer::output::picture;
@@ -136,7 +136,7 @@ fn everything_that_can_be_changed_changes_the_picture() {
 /// The picture of frame 60 of the dance with its settings changed, as the window shows it.
 fn in_the_window(file: &Path, change: impl FnOnce(&mut App)) -> Vec<u8> {
     const SIZE: (usize, usize) = (800, 600);
-    let source = Source { path: data("dance.bvh").into(), positions: PositionChannels::Replace, up: None };
+    let source = Source::new(data("dance.bvh"));
     let loaded = source.read().unwrap();
     let mut app = App::new(loaded.stage, source.title(), loaded.warnings, SIZE);
     app.settings.still = true;

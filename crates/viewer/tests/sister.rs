@@ -46,7 +46,7 @@ impl Desk {
         let build =
             move |version: &_| worker::compile_into(&folder.join("target"), package, &folder, version);
         let rest = || -> Box<dyn Hand> { Box::new(ReferenceHand::default()) };
-        let sister = Sister::open_with(package, &course.folder, vec![motion.into()], rest, build);
+        let sister = Sister::open_with(package, &course.folder, vec![vec![motion.into()]], rest, build);
         Desk { course, stage, sister }
     }
 

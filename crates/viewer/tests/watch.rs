@@ -30,7 +30,8 @@ impl Saved {
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             fs::write(path, content).unwrap();
         }
-        let baseline = Baseline::now(&folder.path().join("src"), &[folder.path().join("data/a motion.bvh")]);
+        let baseline =
+            Baseline::now(&folder.path().join("src"), &[vec![folder.path().join("data/a motion.bvh")]]);
         let watcher = Watcher::start(baseline, |_| ());
         assert_eq!(watcher.note(), None, "the system tells what happens in a temporary folder");
         Saved { folder, watcher }

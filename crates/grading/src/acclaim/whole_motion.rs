@@ -53,7 +53,10 @@ impl Judge for RightPlaces {
     }
 }
 
-fn places(answer: &Answer) -> Option<&[Vec<BonePlace>]> {
+/// Those of all bones; nothing for a bone that was not visited.
+type Places = Vec<Option<BonePlace>>;
+
+fn places(answer: &Answer) -> Option<&[Places]> {
     match answer {
         Answer::Acclaim(AcclaimAnswer::Places(places)) => Some(places),
         _ => None,
@@ -62,22 +65,24 @@ fn places(answer: &Answer) -> Option<&[Vec<BonePlace>]> {
 
 impl RightPlaces {
     /// The places, if there is one for every bone in every frame.
-    fn fitting<'a>(&self, got: &'a Answer) -> Option<&'a [Vec<BonePlace>]> {
+    fn fitting<'a>(&self, got: &'a Answer) -> Option<&'a [Places]> {
         let frames = places(&self.expected)?.len();
-        let is_whole = |frame: &Vec<BonePlace>| frame.len() == self.skeleton.len();
+        let is_whole = |frame: &Places| frame.len() == self.skeleton.len();
         places(got).filter(|got| got.len() == frames && got.iter().all(is_whole))
     }
 
-    fn trouble(&self, expected: &[Vec<BonePlace>], got: &[Vec<BonePlace>]) -> Option<Trouble> {
+    fn trouble(&self, expected: &[Places], got: &[Places]) -> Option<Trouble> {
         let (frame, first) = self.first_off(expected, got)?;
         let bone = self.skeleton.get(first)?;
-        let (right, place) = (&expected[frame][first.0], &got[frame][first.0]);
-        let (start, end) = (right.start.distance(place.start), right.end.distance(place.end));
-        let how = if self.is_off(end) {
-            format!("its end is {}", distance(end))
-        } else {
-            format!("its start is {}, and its end in its place", distance(start))
-        };
+        let right = expected[frame][first.0].unwrap_or(BonePlace::ORIGIN);
+        let how = got[frame][first.0].map(|place| {
+            let (start, end) = (right.start.distance(place.start), right.end.distance(place.end));
+            if self.is_off(end) {
+                format!("its end is {}", distance(end))
+            } else {
+                format!("its start is {}, and its end in its place", distance(start))
+            }
+        });
         let is_off = |frame: usize, id: BoneId| self.is_bone_off(&expected[frame][id.0], &got[frame][id.0]);
         let others = self.skeleton.bones().iter().filter(|other| is_off(frame, other.id)).count();
         let mut details = vec![match bone.parent {
@@ -87,9 +92,6 @@ impl RightPlaces {
             }
             None => "All others hang on it, directly or not.".to_owned(),
         }];
-        if *place == BonePlace::ORIGIN {
-            details.push(format!("Yours is at the origin and not turned: is {} ever visited?", bone.name));
-        }
         details.push(format!("In this frame {others} of {} bones are off.", self.skeleton.len()));
         details.push(match frame {
             0 => "Frame 0 is the rest pose, in which all angles are zero.".to_owned(),
@@ -97,13 +99,14 @@ impl RightPlaces {
         });
         let summary = format!(
             "With your three functions together, the first bone that is off is {} in frame {frame}: {how}.",
-            bone.name
+            bone.name,
+            how = how.unwrap_or("it is not visited".to_owned()),
         );
         Some(Trouble::Different { summary, details })
     }
 
     /// The first frame with a bone that is off, and the first such bone in it: its parent is in its place.
-    fn first_off(&self, expected: &[Vec<BonePlace>], got: &[Vec<BonePlace>]) -> Option<(usize, BoneId)> {
+    fn first_off(&self, expected: &[Places], got: &[Places]) -> Option<(usize, BoneId)> {
         let frames = expected.iter().zip(got).enumerate();
         let mut all = frames.flat_map(|(frame, (expected, got))| {
             let bones = expected.iter().zip(got).enumerate();
@@ -113,7 +116,8 @@ impl RightPlaces {
     }
 
     /// What is seen of a bone is where it starts and ends. Who counts its rotation from elsewhere, and uses it so, is right.
-    fn is_bone_off(&self, expected: &BonePlace, got: &BonePlace) -> bool {
+    fn is_bone_off(&self, expected: &Option<BonePlace>, got: &Option<BonePlace>) -> bool {
+        let (Some(expected), Some(got)) = (expected, got) else { return true };
         let pairs = [(expected.start, got.start), (expected.end, got.end)];
         pairs.into_iter().any(|(expected, got)| self.is_off(expected.distance(got)))
     }

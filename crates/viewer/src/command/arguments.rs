@@ -1,15 +1,16 @@
 //! What the command line says.
 
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use clap::{Parser, ValueEnum};
 use skeleton::PositionChannels;
 
+use super::files;
 use super::keyframes::KeyframeArguments;
-use crate::draw::canvas::MAX_SIDE;
+use super::values::{Side, parse_rate, parse_scale, parse_size, parse_speed};
+use super::warp::WarpArguments;
 use crate::live::package::Package;
-use crate::motion::source::{Loaded, Source};
+use crate::motion::source::{Loaded, Source, USUAL_RATE};
 use crate::motion::upright::Up;
 use crate::output::frames::{self, FrameRange};
 use crate::scene::Style;
@@ -23,8 +24,8 @@ use crate::window::keys;
 #[derive(Clone, Debug, Parser)]
 #[command(name = "cargo view", bin_name = "cargo view", after_help = keys_for_terminal())]
 pub struct Arguments {
-    /// The motion, a .bvh file; several are shown side by side [default: data/running.bvh, or data/dance.bvh for the
-    /// exercise on interpolation]
+    /// The motion: a .bvh file, or an .asf file with the skeleton and an .amc file with its motion; several are shown side by
+    /// side [default: data/running.bvh, or data/dance.bvh for the exercise on interpolation]
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
 
@@ -106,11 +107,19 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = Positions::Replace)]
     positions: Positions,
 
+    /// Frames per second of an .amc file, which does not say it
+    #[arg(long, value_name = "N", default_value_t = USUAL_RATE, value_parser = parse_rate)]
+    rate: f64,
+
     /// The axis that points up in the file [default: told by the figure]
     #[arg(long, value_enum)]
     up: Option<Up>,
 
-    /// What is said about keyframes. Last, because options behind it would stand under its heading.
+    /// What is said about time warps. Here and below, because options behind them would stand under their headings.
+    #[command(flatten)]
+    pub warp: WarpArguments,
+
+    /// What is said about keyframes.
     #[command(flatten)]
     pub keyframes: KeyframeArguments,
 }
@@ -156,13 +165,22 @@ pub enum Output {
 
 impl Arguments {
     /// The motions to show.
-    pub fn sources(&self, workspace: &Path) -> Vec<Source> {
+    ///
+    /// # Errors
+    ///
+    /// When the skeleton of a motion of bones is not found.
+    pub fn sources(&self, workspace: &Path) -> Result<Vec<Source>, String> {
         // A short motion with full turns shows most of what can be wrong between two frames.
         let name = if self.exercise == Package::Interpolation { "dance.bvh" } else { "running.bvh" };
         let default = || vec![workspace.join("data").join(name)];
         let files = if self.files.is_empty() { default() } else { self.files.clone() };
-        let source = |path| Source { path, positions: self.positions.into(), up: self.up };
-        files.into_iter().map(source).collect()
+        let source = |path| Source {
+            rate: self.rate,
+            positions: self.positions.into(),
+            up: self.up,
+            ..Source::new(path)
+        };
+        Ok(self.warp.beside(files::sources(&files, source)?))
     }
 
     /// What to write, when there is to be no window.
@@ -198,7 +216,7 @@ impl Arguments {
     ///
     /// When it has not.
     pub fn check_frame(&self, source: &Source, loaded: &Loaded) -> Result<(), String> {
-        let count = loaded.stage.motion().frame_count();
+        let count = loaded.stage.moving_frames();
         frames::check(self.frame(), count).map_err(|error| format!("{}: {error}", source.title()))
     }
 
@@ -264,56 +282,6 @@ fn select(gallery: &mut Gallery, name: &str) -> Result<(), String> {
     Err(format!("there is no joint {name:?}: {} has {names}", app.title()))
 }
 
-/// A side to look from, in degrees, and a zoom.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Side {
-    around: f32,
-    above: f32,
-    zoom: f32,
-}
-
-impl FromStr for Side {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Side, String> {
-        let numbers: Option<Vec<f32>> = text
-            .split(',')
-            .map(|number| number.trim().parse().ok().filter(|n: &f32| n.is_finite()))
-            .collect();
-        match numbers.as_deref() {
-            Some(&[around, above]) => Ok(Side { around, above, zoom: 1.0 }),
-            Some(&[around, above, zoom]) if (0.01..=100.0).contains(&zoom) => {
-                Ok(Side { around, above, zoom })
-            }
-            Some([_, _, _]) => Err("the zoom, the third number, is from 0.01 to 100".into()),
-            _ => {
-                Err("write two or three numbers with commas between them, for example 90,20 or 90,20,1.5"
-                    .into())
-            }
-        }
-    }
-}
-
-fn parse_size(text: &str) -> Result<(usize, usize), String> {
-    let side = |side: &str| side.parse::<usize>().ok().filter(|side| (16..=MAX_SIDE).contains(side));
-    let (width, height) = text.split_once(['x', 'X']).unwrap_or((text, ""));
-    side(width).zip(side(height)).ok_or_else(|| {
-        format!("write two numbers from 16 to {MAX_SIDE} with an x between them, for example 1280x720")
-    })
-}
-
-fn parse_scale(text: &str) -> Result<f32, String> {
-    let scale = text.parse().ok().filter(|scale| (0.5..=4.0).contains(scale));
-    scale.ok_or_else(|| {
-        "write a number from 0.5 to 4: 1 is for ordinary displays, 2 for very fine ones".into()
-    })
-}
-
-fn parse_speed(text: &str) -> Result<f64, String> {
-    let speed = text.parse().ok().filter(|speed| (0.01..=100.0).contains(speed));
-    speed.ok_or_else(|| "write a number from 0.01 to 100: 0.5 is half as fast as the motion".into())
-}
-
 fn keys_for_terminal() -> String {
     let rows: String = keys::help().map(|(name, help)| format!("  {name:<10} {help}\n")).collect();
     format!("Keys in the window:\n{rows}")
@@ -344,27 +312,9 @@ mod tests {
     }
 
     #[test]
-    fn a_size_is_two_numbers_with_an_x() {
-        assert_eq!(parse_size("640x480"), Ok((640, 480)));
-        for wrong in ["640", "640x", "x480", "15x400", "640x99999999999999999999", "-640x480", "640×480", ""]
-        {
-            assert!(parse_size(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn a_side_is_two_angles_and_perhaps_a_zoom() {
-        assert_eq!("90, -20".parse(), Ok(Side { around: 90.0, above: -20.0, zoom: 1.0 }));
-        assert_eq!("-5,0,1.5".parse(), Ok(Side { around: -5.0, above: 0.0, zoom: 1.5 }));
-        for wrong in ["", "90", "90,", "a,b", "1,2,3,4", "1,2,0", "1,NaN", "inf,1"] {
-            assert!(wrong.parse::<Side>().is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
     fn an_exercise_is_chosen_by_its_name_and_a_wrong_name_is_told_with_those_that_there_are() {
         let parse = |words: &[&str]| Arguments::try_parse_from(["cargo view"].iter().chain(words));
-        let first = |words: &[&str]| parse(words).unwrap().sources(Path::new("")).remove(0).path;
+        let first = |words: &[&str]| parse(words).unwrap().sources(Path::new("")).unwrap().remove(0).path;
         assert_eq!(parse(&[]).unwrap().exercise, Package::Fk);
         assert_eq!(parse(&["--exercise", "keyframes", "--solution"]).unwrap().exercise, Package::Keyframes);
         assert!(first(&["--exercise", "interpolation"]).ends_with("dance.bvh"));

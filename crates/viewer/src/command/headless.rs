@@ -209,7 +209,9 @@ fn choose(arguments: &Arguments, output: &Output, first: &App) -> Result<(Vec<us
     let motion = first.stage().motion();
     let seconds = motion.playable_frame_time() / arguments.speed;
     let range = arguments.frames.unwrap_or(FrameRange::ALL);
-    let all = range.resolve(motion.frame_count()).map_err(|error| format!("{}: {error}", first.title()))?;
+    let all = range
+        .resolve(first.stage().moving_frames())
+        .map_err(|error| format!("{}: {error}", first.title()))?;
     let film = |format: Format| {
         // Of the chosen frames as many as programs show at their speed.
         let every = format.every(seconds * range.step() as f64);

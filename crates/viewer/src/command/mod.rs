@@ -2,10 +2,13 @@
 
 mod arguments;
 mod edited;
+mod files;
 mod headless;
 mod keyframes;
 mod print;
 mod targets;
+mod values;
+mod warp;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -41,7 +44,7 @@ pub fn run() -> ExitCode {
 }
 
 fn view(arguments: &Arguments) -> Result<(), String> {
-    let sources = arguments.sources(&workspace());
+    let sources = arguments.sources(&workspace())?;
     let pictures = arguments.output();
     for target in pictures.iter().map(Output::target).chain(arguments.keyframes.targets()) {
         targets::check(target, &sources)?;

@@ -83,7 +83,7 @@ pub(super) fn add_curves(
     edited: &mut Edited,
     progress: Progress,
 ) -> Result<(), NotEdited> {
-    if !is_too_long(stage, stage.motion().frame_count()) {
+    if !is_too_long(stage, stage.moving_frames()) {
         edited.curves = Some(hand.curves(stage, progress).ok_or(NotEdited::BrokenOff)?);
     }
     Ok(())
@@ -156,7 +156,7 @@ fn keyframes(
     wish: &Wish,
     progress: Progress,
 ) -> Result<Vec<usize>, NotEdited> {
-    let count = stage.motion().frame_count();
+    let count = stage.moving_frames();
     let Some(last) = count.checked_sub(1) else { return Ok(Vec::new()) };
     let wanted = match wish.keys {
         Keys::Ends(start, end) => {

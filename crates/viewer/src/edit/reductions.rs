@@ -82,17 +82,17 @@ impl Reductions {
 
     /// Forgets what is known of another motion.
     fn follow(&mut self, stage: &Stage) {
-        let motion = stage.motion();
+        let skeleton = stage.motion().skeleton();
         let mut frame = Frame::default();
         let mut is_same = |(index, known): (usize, &Frame)| {
             stage.read_frame(index, &mut frame);
             frame == *known
         };
-        let same = self.frames.len() == motion.frame_count()
-            && self.skeleton == *motion.skeleton()
+        let same = self.frames.len() == stage.moving_frames()
+            && self.skeleton == *skeleton
             && self.frames.iter().enumerate().all(&mut is_same);
         if !same {
-            self.skeleton = motion.skeleton().clone();
+            self.skeleton = skeleton.clone();
             self.frames = stage.frames();
             self.curves = [None, None];
         }

@@ -33,15 +33,15 @@ use worker::Trouble;
 pub struct Live {
     student: Student,
     watcher: Watcher,
-    motions: Vec<PathBuf>,
+    motions: Vec<Vec<PathBuf>>,
 }
 
 impl Live {
     /// Builds the exercise of the workspace in the folder `workspace`, and asks it about `stages`. From now on the
-    /// exercise is watched, and so are the files `motions` that the stages were read from, in the same order.
+    /// exercise is watched, and so are the files that each of the stages was read from: `motions`, in the same order.
     ///
     /// Points, troubles and what the student's functions print go to the terminal.
-    pub fn open(workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<PathBuf>) -> Live {
+    pub fn open(workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<Vec<PathBuf>>) -> Live {
         let folder = workspace.to_owned();
         let build =
             move |version: &_| worker::compile(Package::Fk, &folder, version).map(|program| program.worker());
@@ -52,7 +52,7 @@ impl Live {
     pub fn open_with(
         workspace: &Path,
         stages: Vec<Arc<Stage>>,
-        motions: Vec<PathBuf>,
+        motions: Vec<Vec<PathBuf>>,
         build: impl FnMut(&Version) -> Result<WorkerProcess, Trouble> + Send + 'static,
     ) -> Live {
         // What is saved from here on is noticed; what was saved before is what is built.

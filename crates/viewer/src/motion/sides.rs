@@ -1,17 +1,32 @@
 //! Left and right, told by the joints' names.
 
+use std::collections::HashSet;
+
 use skeleton::Joint;
 
 use crate::scene::Side;
 
 /// The side of the body for every joint: by its own name, or else its parent's.
 pub fn sides(joints: &[Joint]) -> Vec<Side> {
+    let names: HashSet<&str> = joints.iter().map(|joint| joint.name.as_str()).collect();
     let mut sides: Vec<Side> = Vec::with_capacity(joints.len());
     for joint in joints {
         let parents = joint.parent.map_or(Side::Middle, |parent| sides[parent.0]);
-        sides.push(if joint.is_end_site { parents } else { side_of(&joint.name).unwrap_or(parents) });
+        let own = || side_of(&joint.name).or_else(|| one_of_a_pair(&joint.name, &names));
+        sides.push(if joint.is_end_site { parents } else { own().unwrap_or(parents) });
     }
     sides
+}
+
+/// The side of `lfemur` where there is an `rfemur`, and the other way round: the names of bones in many Acclaim files.
+fn one_of_a_pair(name: &str, names: &HashSet<&str>) -> Option<Side> {
+    let (first, rest) = (name.get(..1)?, name.get(1..)?);
+    let (side, other) = match first {
+        "l" => (Side::Left, "r"),
+        "r" => (Side::Right, "l"),
+        _ => return None,
+    };
+    names.contains(format!("{other}{rest}").as_str()).then_some(side)
 }
 
 /// The side that a name tells, in any of the usual spellings: `LeftArm`, `left_arm`, `LArm`, `arm.L`, `Bip01 L Arm`.
@@ -44,6 +59,14 @@ fn side_of(name: &str) -> Option<Side> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_in_pairs_tell_sides_by_their_first_letters() {
+        let names = HashSet::from(["root", "lfemur", "rfemur", "lowerback", "rib"]);
+        let sides = ["lfemur", "rfemur", "lowerback", "rib", "root", "", "ä"];
+        let told = sides.map(|name| one_of_a_pair(name, &names));
+        assert_eq!(told, [Some(Side::Left), Some(Side::Right), None, None, None, None, None]);
+    }
 
     #[test]
     fn names_tell_sides() {

@@ -9,7 +9,7 @@ use crate::live::package::Package;
 use crate::live::sister::{Come, Sister};
 use crate::live::watch::{Baseline, Watcher};
 use crate::live::{Live, OfMotion};
-use crate::motion::source::{Loaded, Source};
+use crate::motion::source::{Loaded, Source, Unreadable};
 use crate::view::app::{self, App, Shown};
 use crate::view::gallery::Gallery;
 use crate::view::screen::Screen;
@@ -27,7 +27,7 @@ pub struct Session {
     functions: Functions,
 }
 
-type Reading = Result<Loaded, parser::bvh::FileError>;
+type Reading = Result<Loaded, Unreadable>;
 
 /// Whose functions move the figures, and edit the motions. They watch the motions' files too.
 enum Functions {
@@ -35,15 +35,15 @@ enum Functions {
     Student(Box<Live>),
     /// The student's have a part in editing. The reference's do the rest.
     Sister(Box<Sister>),
-    /// The reference's. These files are watched.
-    Reference(Watcher, Vec<PathBuf>),
+    /// The reference's. The files of each motion are watched.
+    Reference(Watcher, Vec<Vec<PathBuf>>),
 }
 
 impl Session {
     /// Shows `gallery`, whose motions were read from `sources`, in the same order. The functions of the exercise `followed`,
     /// in the workspace in that folder, do their part, and the reference's all the rest.
     pub fn open(gallery: Gallery, sources: Vec<Source>, followed: Option<(Package, &Path)>) -> Session {
-        let files: Vec<PathBuf> = sources.iter().map(|source| source.path.clone()).collect();
+        let files: Vec<Vec<PathBuf>> = sources.iter().map(Source::files).collect();
         let functions = match followed {
             Some((Package::Fk, workspace)) => {
                 let stages = gallery.apps().iter().map(|app| app.stage().clone()).collect();

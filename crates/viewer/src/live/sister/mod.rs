@@ -27,7 +27,7 @@ pub use now::Now;
 pub struct Sister {
     hands: Hands,
     watcher: Watcher,
-    motions: Vec<PathBuf>,
+    motions: Vec<Vec<PathBuf>>,
 }
 
 /// What has come since the last picture.
@@ -47,7 +47,7 @@ impl Sister {
     pub fn open(
         package: Package,
         workspace: &Path,
-        motions: Vec<PathBuf>,
+        motions: Vec<Vec<PathBuf>>,
         rest: impl Fn() -> Box<dyn Hand> + Send + Sync + 'static,
     ) -> Sister {
         let folder = workspace.to_owned();
@@ -60,7 +60,7 @@ impl Sister {
     pub fn open_with(
         package: Package,
         workspace: &Path,
-        motions: Vec<PathBuf>,
+        motions: Vec<Vec<PathBuf>>,
         rest: impl Fn() -> Box<dyn Hand> + Send + Sync + 'static,
         mut build: impl FnMut(&Version) -> Result<Program, Trouble> + Send + 'static,
     ) -> Sister {

@@ -25,7 +25,7 @@ const POLL: Duration = Duration::from_millis(500);
 pub enum Change {
     /// Some file that the exercise's program is built of.
     Exercise,
-    /// The motion of this path, as it was given to [`Baseline::now`].
+    /// The file of a motion, of this path as it was given to [`Baseline::now`].
     Motion(PathBuf),
 }
 
@@ -49,21 +49,24 @@ pub struct Baseline {
 }
 
 impl Baseline {
-    /// What all `*.rs` directly in the folder `exercise`, and the files `motions`, hold now. None of them needs to exist.
-    pub fn now(exercise: &Path, motions: &[PathBuf]) -> Baseline {
+    /// What all `*.rs` directly in the folder `exercise`, and the files of each of `motions`, hold now. None of them needs to
+    /// exist.
+    pub fn now(exercise: &Path, motions: &[Vec<PathBuf>]) -> Baseline {
         Baseline::of(Some(exercise), motions)
     }
 
-    /// What the files `motions` hold now, without an exercise.
-    pub fn of_motions(motions: &[PathBuf]) -> Baseline {
+    /// What the files of each of `motions` hold now, without an exercise.
+    pub fn of_motions(motions: &[Vec<PathBuf>]) -> Baseline {
         Baseline::of(None, motions)
     }
 
-    fn of(exercise: Option<&Path>, motions: &[PathBuf]) -> Baseline {
+    fn of(exercise: Option<&Path>, motions: &[Vec<PathBuf>]) -> Baseline {
+        // Two motions can share a file.
+        let motions: BTreeSet<PathBuf> = motions.iter().flatten().cloned().collect();
         let sources = exercise.map(|folder| Watched::new(Files::SourcesIn(folder.to_owned())));
         let ones = motions.iter().map(|path| Watched::new(Files::One(path.clone())));
         let watched = sources.into_iter().chain(ones).collect();
-        Baseline { exercise: exercise.map(Path::to_owned), motions: motions.to_vec(), watched }
+        Baseline { exercise: exercise.map(Path::to_owned), motions: motions.into_iter().collect(), watched }
     }
 }
 
@@ -103,10 +106,12 @@ impl Watcher {
         self.changes.try_iter()
     }
 
-    /// Which of `motions` are saved anew according to what has [changed](Watcher::changes), counted from 0.
-    pub fn saved_motions(&mut self, motions: &[PathBuf]) -> Vec<usize> {
+    /// Which of `motions`, each given by its files, are saved anew according to what has [changed](Watcher::changes), counted
+    /// from 0.
+    pub fn saved_motions(&mut self, motions: &[Vec<PathBuf>]) -> Vec<usize> {
         let changes: Vec<Change> = self.changes().collect();
-        let is_saved = |index: &usize| changes.contains(&Change::Motion(motions[*index].clone()));
+        let is_news = |file: &PathBuf| changes.contains(&Change::Motion(file.clone()));
+        let is_saved = |index: &usize| motions[*index].iter().any(is_news);
         if changes.is_empty() { Vec::new() } else { (0..motions.len()).filter(is_saved).collect() }
     }
 

@@ -1,6 +1,6 @@
 //! From a pose to the figure that is drawn.
 
-use glam::Vec3;
+use glam::{Quat, Vec3};
 use skeleton::{Joint, Pose, Skeleton};
 
 use super::Stage;
@@ -63,7 +63,9 @@ impl Stage {
                 figure.bones.push(Bone { from, to: place, side, radius, joints });
             }
             if wanted.axes && !joint.is_end_site {
-                let rotation = self.upright * transform.rotation;
+                // A bone turns about axes of its own.
+                let own = self.bones.as_ref().map_or(Quat::IDENTITY, |bones| bones.own_axes(joint.id.0));
+                let rotation = self.upright * transform.rotation * own;
                 let lettered = if wanted.selected.is_some() { selected } else { joint.is_root() };
                 let length = self.axes[joint.id.0] * if lettered { LETTERED } else { 1.0 };
                 figure.axes.push(Axes { origin: place, rotation, length, lettered });
@@ -120,7 +122,6 @@ pub(crate) fn tips(joints: &[Joint]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use glam::Quat;
     use skeleton::{JointId, PositionChannels};
 
     use super::*;

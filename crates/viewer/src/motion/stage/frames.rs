@@ -12,14 +12,17 @@ impl Stage {
         frame
     }
 
-    /// All frames of the motion; none when the file holds none.
+    /// All frames; none when the file holds none.
     pub fn frames(&self) -> Vec<Frame> {
-        (0..self.motion.frame_count()).map(|index| self.frame(index)).collect()
+        (0..self.moving_frames()).map(|index| self.frame(index)).collect()
     }
 
     /// Frame `index`, into `frame`, whose memory is used again.
     pub fn read_frame(&self, index: usize, frame: &mut Frame) {
-        self.motion.read_frame(index, self.positions, frame);
+        match &self.warp {
+            None => self.motion.read_frame(index, self.positions, frame),
+            Some(warp) => self.read_warped(warp, index, frame),
+        }
     }
 
     /// Where the joints are in frame `index` (from 0) if everything is right.

@@ -2,6 +2,9 @@
 
 mod figure;
 mod frames;
+mod warped;
+
+use std::sync::Arc;
 
 use glam::{Quat, Vec3};
 use skeleton::{Frame, Motion, Pose, PositionChannels};
@@ -9,7 +12,9 @@ use skeleton::{Frame, Motion, Pose, PositionChannels};
 use crate::camera::Camera;
 use crate::draw::canvas::Ground;
 use crate::motion::body;
+use crate::motion::bones::Bones;
 use crate::motion::sides::sides;
+use crate::motion::time_map::TimeMap;
 use crate::motion::upright::{Stance, Up};
 use crate::scene::Side;
 
@@ -20,7 +25,11 @@ pub(crate) use figure::tips;
 /// the file, turned so that Y points up.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    motion: Motion,
+    motion: Arc<Motion>,
+    /// The bones for which the joints stand.
+    bones: Option<Arc<Bones>>,
+    /// The frames of the motion that are shown, where these are others than its own.
+    warp: Option<TimeMap>,
     positions: PositionChannels,
     up: Up,
     upright: Quat,
@@ -63,13 +72,15 @@ impl Stage {
     pub fn with_up(motion: Motion, positions: PositionChannels, up: Option<Up>) -> Stage {
         let joints = motion.skeleton().joints();
         let mut stage = Stage {
+            bones: None,
+            warp: None,
             up: Up::Y,
             upright: Quat::IDENTITY,
             sides: sides(joints),
             traced: Vec::new(),
             radii: Vec::new(),
             axes: Vec::new(),
-            motion,
+            motion: Arc::new(motion),
             positions,
             size: 1.0,
             ground: Ground { height: 0.0, cell: 1.0 },
@@ -148,14 +159,30 @@ impl Stage {
         }
     }
 
-    /// The motion.
+    /// The motion as it was read. Its frames are not those that are shown when it is [warped](Stage::warped).
     pub fn motion(&self) -> &Motion {
         &self.motion
     }
 
-    /// How many frames can be shown: at least one, which is the rest pose when the motion has none.
+    /// The bones for which the joints stand, where the motion was read from Acclaim files.
+    pub fn bones(&self) -> Option<&Arc<Bones>> {
+        self.bones.as_ref()
+    }
+
+    /// The same, of a motion whose joints stand for these bones.
+    #[must_use]
+    pub fn with_bones(self, bones: Bones) -> Stage {
+        Stage { bones: Some(Arc::new(bones)), ..self }
+    }
+
+    /// How many frames there are; may be 0.
+    pub fn moving_frames(&self) -> usize {
+        self.warp.map_or(self.motion.frame_count(), |warp| warp.frame_count())
+    }
+
+    /// How many frames can be shown: at least one, which is the rest pose when there are none.
     pub fn frame_count(&self) -> usize {
-        self.motion.frame_count().max(1)
+        self.moving_frames().max(1)
     }
 
     /// The axis of the motion that points up.

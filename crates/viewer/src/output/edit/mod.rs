@@ -1,6 +1,5 @@
 //! Motions reduced to keyframes, and what that costs, as files.
 
-pub mod angles;
 mod choose;
 mod curves;
 pub mod experiment;

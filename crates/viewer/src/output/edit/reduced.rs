@@ -7,8 +7,8 @@ use inbetween::InbetweenClip;
 use skeleton::{Axis, Channel, Joint, JointId, Motion, Representation};
 use solutions::interpolation::interpolate_angles;
 
-use super::angles::{angles_of, distance};
 use super::reordered::turns;
+use crate::motion::angles::{angles_of, distance};
 
 /// A rotation that is off by less than so many degrees is what an `f32` makes of the right one.
 const LEAST_MISFIT: f64 = 0.01;

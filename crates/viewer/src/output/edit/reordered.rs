@@ -3,7 +3,7 @@
 use inbetween::InbetweenClip;
 use skeleton::{Axis, Channel, Frame, Joint, Motion, Representation, RotationOrder, Skeleton, SkeletonError};
 
-use super::angles::angles_of;
+use crate::motion::angles::angles_of;
 
 /// The same motion, where every joint with three rotation channels has them in another order: in every frame every joint is
 /// turned as before, by other angles. The first frame's angles are within half a turn, and all others go on from there.

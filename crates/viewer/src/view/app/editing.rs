@@ -117,7 +117,7 @@ impl App {
     /// How many automatic keyframes this motion has when they are wanted: of those that the settings say, as many as are
     /// possible.
     pub fn keyframe_count(&self) -> usize {
-        let frames = self.stage.motion().frame_count();
+        let frames = self.stage.moving_frames();
         self.settings.edit.keyframes.max(2).min(frames)
     }
 
@@ -193,7 +193,7 @@ impl App {
     /// Takes so many more keyframes, or fewer when it is negative.
     pub(super) fn change_keyframes(&mut self, by: isize) {
         if self.settings.edit.automatic {
-            let most = self.stage.motion().frame_count().max(2);
+            let most = self.stage.moving_frames().max(2);
             self.settings.edit.keyframes = self.keyframe_count().saturating_add_signed(by).clamp(2, most);
         }
     }

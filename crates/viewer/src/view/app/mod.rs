@@ -218,7 +218,7 @@ impl App {
             }
             Some(representation) => format!(" · interpolated, {representation}"),
         };
-        let count = self.stage.motion().frame_count();
+        let count = self.stage.moving_frames();
         format!("{} · frame {} / {count}{edited}{playing}", self.title, self.frame())
     }
 

@@ -36,7 +36,7 @@ impl App {
         plot.curves.clear();
         match &editing.edited {
             Some(edited) if edited.curves.is_some() => curves(plot, edited),
-            _ if is_too_long(&self.stage, self.stage.motion().frame_count()) => {
+            _ if is_too_long(&self.stage, self.stage.moving_frames()) => {
                 write(&mut plot.note, format_args!("the motion is too long for its curves"));
             }
             _ => match editing.progress {

@@ -59,7 +59,7 @@ fn hint(package: Package) -> &'static str {
 /// Whether there are as many keyframes as were wanted.
 fn count(facts: &Facts, edited: &Edited, panel: &mut Panel) {
     let Keys::Automatic(wanted) = edited.wish.keys else { return };
-    let (kept, frames) = (edited.keyframes.len(), facts.app.stage().motion().frame_count());
+    let (kept, frames) = (edited.keyframes.len(), facts.app.stage().moving_frames());
     if kept == wanted {
         return;
     }

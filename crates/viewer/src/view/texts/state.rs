@@ -43,7 +43,7 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
 fn frame(facts: &Facts, panel: &mut Panel) {
     let (player, motion) = (facts.app.player(), facts.app.stage().motion());
     let seconds = motion.playable_frame_time();
-    let count = match motion.frame_count() {
+    let count = match facts.app.stage().moving_frames() {
         0 if motion.skeleton().channel_count() == 0 => {
             return panel.add(Line::Trouble, "nothing in this file moves: its rest pose is shown");
         }

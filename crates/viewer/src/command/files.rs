@@ -1,0 +1,109 @@
+//! From the files on the command line to motions: a skeleton of bones and its motion are in two files.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::targets::shown;
+use crate::motion::source::{Source, ends_in};
+
+/// One motion for each file, but for the skeletons of bones that a motion among the files needs. `source` makes a motion of a
+/// path.
+///
+/// # Errors
+///
+/// When it is not known which skeleton a motion moves.
+pub fn sources(files: &[PathBuf], source: impl Fn(PathBuf) -> Source) -> Result<Vec<Source>, String> {
+    let mut sources = Vec::new();
+    let mut used = vec![false; files.len()];
+    for (at, file) in files.iter().enumerate().filter(|(_, file)| ends_in(file, "amc")) {
+        // The skeleton in front of the motion, or else the first one behind it.
+        let is_skeleton = |at: &usize| ends_in(&files[*at], "asf");
+        let named = (0..at).rev().find(is_skeleton).or_else(|| (at..files.len()).find(is_skeleton));
+        let skeleton = match named {
+            Some(named) => {
+                used[named] = true;
+                files[named].clone()
+            }
+            None => beside(file).ok_or_else(|| missing(file))?,
+        };
+        sources.push((at, Source { skeleton: Some(skeleton), ..source(file.clone()) }));
+    }
+    for (at, file) in files.iter().enumerate().filter(|(_, file)| !ends_in(file, "amc")) {
+        if !used[at] {
+            sources.push((at, source(file.clone())));
+        }
+    }
+    sources.sort_by_key(|(at, _)| *at);
+    Ok(sources.into_iter().map(|(_, source)| source).collect())
+}
+
+/// The skeleton in the folder of a motion: of the same name, or of its first part, as `35.asf` with `35_01.amc`, or the only
+/// one there.
+fn beside(motion: &Path) -> Option<PathBuf> {
+    let folder = motion.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let files = fs::read_dir(folder).ok()?.filter_map(|entry| Some(entry.ok()?.path()));
+    let skeletons: Vec<PathBuf> = files.filter(|file| ends_in(file, "asf")).collect();
+    let stem = motion.file_stem()?.to_str()?;
+    let of_name = |name: &str| {
+        skeletons.iter().find(|file| file.file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case(name)))
+    };
+    let first_part = stem.split_once('_').map_or(stem, |(first, _)| first);
+    let only = skeletons.first().filter(|_| skeletons.len() == 1);
+    of_name(stem).or_else(|| of_name(first_part)).or(only).cloned()
+}
+
+fn missing(motion: &Path) -> String {
+    let motion = shown(motion);
+    let quote = if motion.contains(' ') { "\"" } else { "" };
+    format!(
+        "{motion} is the motion of a skeleton that is in another file, an .asf file, and it is not clear in which one: \
+         cargo view SKELETON.asf {quote}{motion}{quote}"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(files: &[&str]) -> Vec<(String, Option<String>)> {
+        let files: Vec<PathBuf> = files.iter().map(PathBuf::from).collect();
+        let text = |path: &Path| path.display().to_string();
+        let sources = sources(&files, Source::new).unwrap();
+        sources.iter().map(|source| (text(&source.path), source.skeleton.as_deref().map(text))).collect()
+    }
+
+    #[test]
+    fn a_motion_moves_the_skeleton_in_front_of_it() {
+        let pair = |motion: &str, skeleton: &str| (motion.to_owned(), Some(skeleton.to_owned()));
+        let alone = |file: &str| (file.to_owned(), None);
+        assert_eq!(found(&["a.asf", "w.amc"]), [pair("w.amc", "a.asf")]);
+        assert_eq!(found(&["w.amc", "a.ASF"]), [pair("w.amc", "a.ASF")]);
+        assert_eq!(found(&["a.asf", "w.AMC", "x.amc"]), [pair("w.AMC", "a.asf"), pair("x.amc", "a.asf")]);
+        let two = found(&["a.asf", "w.amc", "b.asf", "x.amc"]);
+        assert_eq!(two, [pair("w.amc", "a.asf"), pair("x.amc", "b.asf")]);
+        assert_eq!(found(&["a.asf"]), [alone("a.asf")]);
+        let mixed = found(&["r.bvh", "b.asf", "a.asf", "w.amc"]);
+        assert_eq!(mixed, [alone("r.bvh"), alone("b.asf"), pair("w.amc", "a.asf")]);
+    }
+
+    #[test]
+    fn a_skeleton_in_the_folder_of_the_motion_is_found_by_its_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let skeleton = |motion: &str| {
+            let sources = sources(&[path(motion)], Source::new);
+            sources.map(|mut sources| sources.remove(0).skeleton.unwrap())
+        };
+        let told = skeleton("35_01.amc").unwrap_err();
+        assert!(told.contains("cargo view SKELETON.asf") && told.contains("35_01.amc"), "{told}");
+        for name in ["walker.asf", "35.asf", "walk.asf"] {
+            fs::write(path(name), "").unwrap();
+            if name == "walker.asf" {
+                assert_eq!(skeleton("35_01.amc").unwrap(), path("walker.asf"), "the only one");
+            }
+        }
+        assert_eq!(skeleton("35_01.amc").unwrap(), path("35.asf"));
+        assert_eq!(skeleton("walk.amc").unwrap(), path("walk.asf"));
+        assert!(skeleton("36_01.amc").is_err());
+    }
+}

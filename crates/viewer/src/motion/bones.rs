@@ -1,0 +1,109 @@
+//! The bones that the joints of a motion stand for, where it was read from Acclaim files.
+
+use glam::{Quat, Vec3};
+use skeleton::acclaim::{BoneId, BonePlace, Motion, Posture};
+use skeleton::{Pose, Transform};
+
+/// A motion of bones, beside the same motion of joints as [`parser::acclaim::to_joints`] makes it: a joint stands for the
+/// start of its bone, and an End Site for the end of the bone on which nothing hangs.
+#[derive(Clone, Debug)]
+pub struct Bones {
+    motion: Motion,
+    /// For every joint its bone, and for every End Site the bone that ends there.
+    of_joints: Vec<BoneId>,
+    /// For every joint whether it is an End Site.
+    ends: Vec<bool>,
+}
+
+impl Bones {
+    /// `joints` are those that were made of the bones of `motion`.
+    pub fn new(motion: Motion, joints: &skeleton::Skeleton) -> Bones {
+        let (mut of_joints, mut ends) = (Vec::new(), Vec::new());
+        for joint in joints.joints() {
+            let bone = match joint.parent {
+                Some(parent) if joint.is_end_site => of_joints[parent.0],
+                _ => motion.skeleton().find(&joint.name).map_or(BoneId::ROOT, |bone| bone.id),
+            };
+            of_joints.push(bone);
+            ends.push(joint.is_end_site);
+        }
+        Bones { motion, of_joints, ends }
+    }
+
+    /// The motion of bones.
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// The bone that starts at joint `joint` (from 0), or ends at it when it is an End Site.
+    pub fn of_joint(&self, joint: usize) -> BoneId {
+        self.of_joints.get(joint).copied().unwrap_or(BoneId::ROOT)
+    }
+
+    /// How the own axes of the bone of joint `joint` (from 0) are turned against the world's at rest.
+    pub fn own_axes(&self, joint: usize) -> Quat {
+        let bone = self.motion.skeleton().get(self.of_joint(joint));
+        bone.map_or(Quat::IDENTITY, |bone| bone.axis_rotation)
+    }
+
+    /// Makes `pose` that of the joints whose bones are at `places`. A bone without a place is nowhere: its numbers are NaN.
+    pub fn pose(&self, places: &[Option<BonePlace>], pose: &mut Pose) {
+        pose.reset(self.of_joints.len());
+        for (joint, transform) in pose.transforms_mut().iter_mut().enumerate() {
+            let place = places.get(self.of_joint(joint).0).copied().flatten();
+            *transform = place.map_or(NOWHERE, |place| Transform {
+                rotation: place.rotation * self.own_axes(joint).inverse(),
+                position: if self.ends[joint] { place.end } else { place.start },
+            });
+        }
+    }
+
+    /// Where all bones are in `posture`, by the reference solution.
+    pub fn reference(&self, posture: &Posture) -> Vec<Option<BonePlace>> {
+        exam::acclaim::places(self.motion.skeleton(), posture, &solutions::ACCLAIM)
+    }
+}
+
+const NOWHERE: Transform = Transform { rotation: Quat::NAN, position: Vec3::NAN };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::source::Source;
+    use crate::motion::stage::Stage;
+
+    fn walk() -> std::sync::Arc<Stage> {
+        let data = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/walk");
+        let skeleton = Some(format!("{data}.asf").into());
+        Source { skeleton, ..Source::new(format!("{data}.amc")) }.read().unwrap().stage
+    }
+
+    #[test]
+    fn joints_are_where_the_bones_for_which_they_stand_start_and_end() {
+        let stage = walk();
+        let (bones, mut pose) = (stage.bones().unwrap(), Pose::default());
+        for frame in [0, 100, 479] {
+            let posture = bones.motion().posture(frame);
+            bones.pose(&bones.reference(&posture), &mut pose);
+            for (own, other) in pose.transforms().iter().zip(stage.reference(frame).transforms()) {
+                assert!(own.position.distance(other.position) < 1e-3, "{own:?} {other:?}");
+                assert!(grading::fk::angle_between(own.rotation, other.rotation) < 0.01);
+            }
+        }
+        assert_eq!(pose.len(), stage.motion().skeleton().len());
+    }
+
+    #[test]
+    fn a_bone_without_a_place_is_nowhere() {
+        let stage = walk();
+        let (bones, mut pose) = (stage.bones().unwrap(), Pose::default());
+        let mut places = bones.reference(&bones.motion().posture(0));
+        let joints = stage.motion().skeleton().joints();
+        let joint = joints.iter().position(|joint| joint.name == "lhumerus").unwrap();
+        places[bones.of_joint(joint).0] = None;
+        bones.pose(&places, &mut pose);
+        let lost = pose.transforms().iter().filter(|transform| transform.position.is_nan()).count();
+        assert!(pose.transforms()[joint].position.is_nan());
+        assert_eq!(lost, 1);
+    }
+}
