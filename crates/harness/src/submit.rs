@@ -49,6 +49,14 @@ pub fn run(arguments: &SubmitArgs) -> Result<ExitCode, Error> {
     let wanted = arguments.exercise.wanted();
     let packed = submissions::write_zip(&arguments.number, &name, &bytes, &wanted)?;
     let archive = arguments.out.join(&packed.file_name);
+    // All exercises have archives of the same name.
+    if fs::read(&archive).is_ok_and(|bytes| !names(&bytes, &wanted.file_name)) {
+        return Err(Error::Usage(format!(
+            "{} is there already and holds no {}: move it away, or choose another folder with --out DIR.",
+            archive.display(),
+            arguments.exercise.file()
+        )));
+    }
     whole_file::write(&archive, &packed.bytes)?;
     println!("Written: {}", archive.display());
 
@@ -66,6 +74,11 @@ pub fn run(arguments: &SubmitArgs) -> Result<ExitCode, Error> {
     }
     println!("Checking it as it will be marked. The first time, this takes a while.");
     check(arguments, &source.text)
+}
+
+/// Whether a zip archive has a file of this name: names are not compressed in it.
+fn names(archive: &[u8], file_name: &str) -> bool {
+    archive.windows(file_name.len()).any(|bytes| bytes == file_name.as_bytes())
 }
 
 fn check(arguments: &SubmitArgs, source: &str) -> Result<ExitCode, Error> {

@@ -252,6 +252,14 @@ fn a_submission_is_packed_and_checked() {
     }
     assert!(folder.path().join("300000001_TerryFox.zip").exists());
     submit("me").fails().says("student number");
+
+    // The archive of another exercise has the same name, and stays.
+    let archive = folder.path().join("300000001_TerryFox.zip");
+    let before = fs::read(&archive).unwrap();
+    let mut other = Harness::command();
+    other.args(["submit", "--exercise", "time-warp", "300000001", "Terry", "Fox", "--out"]);
+    run(other.arg(folder.path())).fails().says("holds no time_warp.rs").says("--out DIR");
+    assert_eq!(fs::read(&archive).unwrap(), before);
 }
 
 #[test]
