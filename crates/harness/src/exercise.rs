@@ -3,6 +3,9 @@
 use grading::{Exam, Rubric, Solutions};
 use submissions::Wanted;
 
+use crate::Error;
+use crate::picture::Portrait;
+
 /// What the harness knows of an exercise.
 #[derive(Debug)]
 pub struct Exercise {
@@ -12,8 +15,8 @@ pub struct Exercise {
     pub library: &'static str,
     /// The student's file as it was handed out.
     pub template: &'static str,
-    /// Whether its functions pose a figure, so that one pose can be drawn for the report.
-    pub has_poses: bool,
+    /// What is drawn for the report, where the functions pose a figure.
+    pub portrait: Option<fn() -> Result<Portrait, Error>>,
 }
 
 /// All exercises, in the order of [`grading::EXERCISES`].
@@ -22,31 +25,31 @@ pub static EXERCISES: [Exercise; 5] = [
         graded: &grading::EXERCISES[0],
         library: include_str!("../../../exercises/fk/src/lib.rs"),
         template: include_str!("../../../solutions/templates/fk.rs"),
-        has_poses: true,
+        portrait: Some(Portrait::of_joints),
     },
     Exercise {
         graded: &grading::EXERCISES[1],
         library: include_str!("../../../exercises/interpolation/src/lib.rs"),
         template: include_str!("../../../solutions/templates/interpolation.rs"),
-        has_poses: false,
+        portrait: None,
     },
     Exercise {
         graded: &grading::EXERCISES[2],
         library: include_str!("../../../exercises/keyframes/src/lib.rs"),
         template: include_str!("../../../solutions/templates/keyframes.rs"),
-        has_poses: false,
+        portrait: None,
     },
     Exercise {
         graded: &grading::EXERCISES[3],
         library: include_str!("../../../exercises/acclaim/src/lib.rs"),
         template: include_str!("../../../solutions/templates/acclaim.rs"),
-        has_poses: false,
+        portrait: Some(Portrait::of_bones),
     },
     Exercise {
         graded: &grading::EXERCISES[4],
         library: include_str!("../../../exercises/time-warp/src/lib.rs"),
         template: include_str!("../../../solutions/templates/time_warp.rs"),
-        has_poses: false,
+        portrait: None,
     },
 ];
 

@@ -64,7 +64,7 @@ impl Marker {
             Protection::None => Sandbox::unsandboxed(launcher),
         };
         let exam = exercise.exam(seed);
-        let portrait = if exercise.has_poses { Some(Portrait::new()?) } else { None };
+        let portrait = exercise.portrait.map(|portrait| portrait()).transpose()?;
         Ok(Marker { exercise, toolchain, kit, sandbox, limits, seed, exam, portrait })
     }
 

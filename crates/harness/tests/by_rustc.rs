@@ -37,7 +37,7 @@ fn a_submission_is_marked_the_same() {
         compiler: Compiler { exercise, toolchain: &toolchain, kit: &kit, sandbox: &sandbox, limits },
         examiner: Examiner {
             exam: &exam,
-            portrait: Some(&Portrait::new().unwrap()),
+            portrait: Some(&Portrait::of_joints().unwrap()),
             sandbox: &sandbox,
             limits,
             patience: Duration::from_secs(10),

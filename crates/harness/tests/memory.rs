@@ -46,7 +46,7 @@ fn peak(count: usize) -> usize {
     MEMORY.reset_peak_usage();
 
     let batch = Batch::open(&given, &Exercise::named("fk").unwrap().wanted()).unwrap();
-    let portrait = picture::Portrait::new().unwrap();
+    let portrait = picture::Portrait::of_joints().unwrap();
     let info = RunInfo {
         schema: SCHEMA,
         exercise: "fk".to_owned(),
