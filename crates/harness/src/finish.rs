@@ -138,7 +138,7 @@ fn groups(fingerprints: &[(String, Fingerprint)], exercise: &Exercise) -> Vec<Gr
 /// What there is to know at the end of a run, for a terminal.
 pub fn in_words(summary: &Summary, out: &Path) -> String {
     let Summary { submissions, with_points, missing, attention, .. } = summary;
-    let mut text = format!("{submissions} submissions, {with_points} of them with points");
+    let mut text = format!("{submissions} submissions, {with_points} of them marked");
     if *missing > 0 {
         text += &format!("; {missing} students handed in nothing");
     }
