@@ -37,19 +37,23 @@ pub fn sources(files: &[PathBuf], source: impl Fn(PathBuf) -> Source) -> Result<
     Ok(sources.into_iter().map(|(_, source)| source).collect())
 }
 
-/// The skeleton in the folder of a motion: of the same name, or of its first part, as `35.asf` with `35_01.amc`, or the only
-/// one there.
+/// The skeleton in the folder of a motion: that of the same name, or of the beginning of its name, as `35.asf` with
+/// `35_01.amc`; otherwise the only one there.
 fn beside(motion: &Path) -> Option<PathBuf> {
     let folder = motion.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let files = fs::read_dir(folder).ok()?.filter_map(|entry| Some(entry.ok()?.path()));
     let skeletons: Vec<PathBuf> = files.filter(|file| ends_in(file, "asf")).collect();
-    let stem = motion.file_stem()?.to_str()?;
-    let of_name = |name: &str| {
-        skeletons.iter().find(|file| file.file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case(name)))
+    let stem = |file: &Path| file.file_stem().map(|stem| stem.to_string_lossy().to_lowercase());
+    let name = stem(motion)?;
+    let begins = |skeleton: &PathBuf| {
+        let rest = name.strip_prefix(stem(skeleton)?.as_str())?;
+        (!rest.starts_with(char::is_alphanumeric)).then_some(rest.len())
     };
-    let first_part = stem.split_once('_').map_or(stem, |(first, _)| first);
-    let only = skeletons.first().filter(|_| skeletons.len() == 1);
-    of_name(stem).or_else(|| of_name(first_part)).or(only).cloned()
+    let named = skeletons
+        .iter()
+        .filter(|skeleton| begins(skeleton).is_some())
+        .min_by_key(|skeleton| begins(skeleton));
+    named.or(skeletons.first().filter(|_| skeletons.len() == 1)).cloned()
 }
 
 fn missing(motion: &Path) -> String {
@@ -96,13 +100,15 @@ mod tests {
         };
         let told = skeleton("35_01.amc").unwrap_err();
         assert!(told.contains("cargo view SKELETON.asf") && told.contains("35_01.amc"), "{told}");
-        for name in ["walker.asf", "35.asf", "walk.asf"] {
+        for name in ["walker.asf", "35.asf", "walk.asf", "35_01.asf", "Walk_On.ASF"] {
             fs::write(path(name), "").unwrap();
             if name == "walker.asf" {
                 assert_eq!(skeleton("35_01.amc").unwrap(), path("walker.asf"), "the only one");
             }
         }
-        assert_eq!(skeleton("35_01.amc").unwrap(), path("35.asf"));
+        assert_eq!(skeleton("35_02.amc").unwrap(), path("35.asf"));
+        assert_eq!(skeleton("35_01.amc").unwrap(), path("35_01.asf"));
+        assert_eq!(skeleton("walk_on_2.AMC").unwrap(), path("Walk_On.ASF"));
         assert_eq!(skeleton("walk.amc").unwrap(), path("walk.asf"));
         assert!(skeleton("36_01.amc").is_err());
     }
