@@ -106,6 +106,38 @@ fn known(skeleton: &Skeleton, bone: BoneId) -> &Bone {
     skeleton.get(bone).unwrap_or(skeleton.root())
 }
 
+/// What parts 1 and 2 are given for a bone while a posture is worked out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Given {
+    /// Its angles about its own X, Y and Z axis, in degrees.
+    pub angles: [f32; 3],
+    /// How its parent is turned in the world.
+    pub parent: Quat,
+    /// Where its parent ends, in the world.
+    pub parent_end: Vec3,
+    /// By how much its end is moved.
+    pub translation: Vec3,
+}
+
+impl Given {
+    /// For `bone` in `posture`, when `parent` is the place of its parent; nothing for one that was not visited before, so
+    /// that the bone hangs on the origin.
+    pub fn new(bone: &Bone, posture: &Posture, parent: Option<BonePlace>) -> Given {
+        let id = bone.id.0;
+        let angles = posture.angles.get(id).copied().unwrap_or_default();
+        let translation = posture.translations.get(id).copied().unwrap_or_default();
+        // The root starts and ends where its translation says. Everything else hangs on its parent.
+        let (parent, parent_end, translation) = match bone.parent {
+            Some(_) => {
+                let parent = parent.unwrap_or(BonePlace::ORIGIN);
+                (parent.rotation, parent.end, translation)
+            }
+            None => (Quat::IDENTITY, translation, Vec3::ZERO),
+        };
+        Given { angles, parent, parent_end, translation }
+    }
+}
+
 /// Where `functions` put all bones in `posture`: `visit_bones` decides which ones are worked out, and when. Nothing for a bone
 /// that is not visited; what hangs on one that was not visited before hangs on the origin. A panic of theirs goes through.
 pub fn places(
@@ -113,26 +145,29 @@ pub fn places(
     posture: &Posture,
     functions: &AcclaimFunctions,
 ) -> Vec<Option<BonePlace>> {
-    let mut places = vec![None; skeleton.len()];
+    let mut places = Vec::new();
+    read_places(skeleton, posture, functions, &mut places);
+    places
+}
+
+/// The same, into `places`, whose memory is used again.
+pub fn read_places(
+    skeleton: &Skeleton,
+    posture: &Posture,
+    functions: &AcclaimFunctions,
+    places: &mut Vec<Option<BonePlace>>,
+) {
+    places.clear();
+    places.resize(skeleton.len(), None);
     let mut see = |bone: &Bone| {
-        let id = bone.id.0;
-        let angles = posture.angles.get(id).copied().unwrap_or_default();
-        let translation = posture.translations.get(id).copied().unwrap_or_default();
-        // The root starts and ends where its translation says. Everything else hangs on its parent.
-        let (parent, parent_end, translation) = match bone.parent {
-            Some(parent) => {
-                // A bone that somebody has made up can have any parent.
-                let parent = places.get(parent.0).copied().flatten().unwrap_or(BonePlace::ORIGIN);
-                (parent.rotation, parent.end, translation)
-            }
-            None => (Quat::IDENTITY, translation, Vec3::ZERO),
-        };
+        // A bone that somebody has made up can have any parent.
+        let parent = bone.parent.and_then(|parent| places.get(parent.0).copied().flatten());
+        let Given { angles, parent, parent_end, translation } = Given::new(bone, posture, parent);
         let rotation = (functions.bone_rotation)(bone, angles, parent);
         let (start, end) = (functions.bone_ends)(bone, rotation, parent_end, translation);
-        if let Some(place) = places.get_mut(id) {
+        if let Some(place) = places.get_mut(bone.id.0) {
             *place = Some(BonePlace { rotation, start, end });
         }
     };
     (functions.visit_bones)(skeleton, skeleton.root(), &mut Visitor::new(&mut see));
-    places
 }

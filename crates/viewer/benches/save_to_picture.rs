@@ -17,6 +17,7 @@ use support::{Course, cargo};
 use viewer::draw::Painter;
 use viewer::draw::canvas::Canvas;
 use viewer::live::Live;
+use viewer::live::mover::Mover;
 use viewer::live::package::Package;
 use viewer::live::student::Status;
 use viewer::live::worker;
@@ -121,7 +122,7 @@ fn open(course: &Course, stage: &Arc<Stage>) -> Live {
         let target = folder.join("target");
         worker::compile_into(&target, Package::Fk, &folder, version).map(|program| program.worker())
     };
-    Live::open_with(&course.folder, vec![Arc::clone(stage)], Vec::new(), build)
+    Live::open_with(Mover::Fk, &course.folder, vec![Arc::clone(stage)], Vec::new(), build)
 }
 
 fn median(mut times: Vec<Duration>) -> Duration {

@@ -14,6 +14,7 @@ use std::time::{Duration, Instant, SystemTime};
 use skeleton::PositionChannels;
 use support::Course;
 use viewer::live::Live;
+use viewer::live::mover::Mover;
 use viewer::live::package::Package;
 use viewer::live::student::{Standing, Status};
 use viewer::live::worker::{self, Trouble};
@@ -74,7 +75,13 @@ fn open(course: &Course, stage: &Arc<Stage>) -> Live {
         let target = folder.join("target");
         worker::compile_into(&target, Package::Fk, &folder, version).map(|program| program.worker())
     };
-    Live::open_with(&course.folder, vec![Arc::clone(stage)], vec![vec![motion_file(course)]], build)
+    Live::open_with(
+        Mover::Fk,
+        &course.folder,
+        vec![Arc::clone(stage)],
+        vec![vec![motion_file(course)]],
+        build,
+    )
 }
 
 fn motion_file(course: &Course) -> PathBuf {

@@ -12,6 +12,7 @@ use command::view;
 use skeleton::PositionChannels;
 use viewer::camera::Spot;
 use viewer::draw::color_of;
+use viewer::live::mover::Mover;
 use viewer::live::package::Package;
 use viewer::live::student::{self, Status};
 use viewer::live::version::Version;
@@ -128,7 +129,7 @@ mod png_file {
         let motion = parser::bvh::read_file(workspace.join("data/running.bvh")).unwrap().motion;
         let stage = Arc::new(Stage::new(motion, PositionChannels::Replace));
         let answer = worker::compile(Package::Fk, &workspace, &Version::default()).and_then(|program| {
-            student::ask(&mut program.worker(), &stage, FRAME..FRAME + 1).map_err(Trouble::from)
+            student::ask(Mover::Fk, &mut program.worker(), &stage, FRAME..FRAME + 1).map_err(Trouble::from)
         });
         let purple = color_of(Tint::Joint).channels();
         let posed = match &answer {
@@ -143,7 +144,8 @@ mod png_file {
         assert!(!stderr(&output).contains("only the goal"), "{}", stderr(&output));
         let mut app = App::new(stage, "running.bvh".into(), Vec::new(), SIZE);
         app.go_to(FRAME);
-        let recorded = Recorded { poses: [(FRAME, posed.clone())].into(), ..Recorded::new(Status::Answered) };
+        let recorded =
+            Recorded { poses: [(FRAME, posed.clone())].into(), ..Recorded::new(Mover::Fk, Status::Answered) };
         let view = app.scene(Shown::Student(&recorded), SIZE).camera.view(SIZE);
         let spots = posed.pose.transforms().iter().filter_map(|joint| view.project(joint.position));
         let inside = spots

@@ -9,6 +9,7 @@ use super::files;
 use super::keyframes::KeyframeArguments;
 use super::values::{Side, parse_rate, parse_scale, parse_size, parse_speed};
 use super::warp::WarpArguments;
+use crate::live::mover::Mover;
 use crate::live::package::Package;
 use crate::motion::source::{Loaded, Source, USUAL_RATE};
 use crate::motion::upright::Up;
@@ -25,7 +26,7 @@ use crate::window::keys;
 #[command(name = "cargo view", bin_name = "cargo view", after_help = keys_for_terminal())]
 pub struct Arguments {
     /// The motion: a .bvh file, or an .asf file with the skeleton and an .amc file with its motion; several are shown side by
-    /// side [default: data/running.bvh, or data/dance.bvh for the exercise on interpolation]
+    /// side [default: data/running.bvh, data/dance.bvh for the exercise on interpolation, data/walk.amc for that on Acclaim]
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
 
@@ -170,8 +171,12 @@ impl Arguments {
     ///
     /// When the skeleton of a motion of bones is not found.
     pub fn sources(&self, workspace: &Path) -> Result<Vec<Source>, String> {
-        // A short motion with full turns shows most of what can be wrong between two frames.
-        let name = if self.exercise == Package::Interpolation { "dance.bvh" } else { "running.bvh" };
+        let name = match self.exercise {
+            // A short motion with full turns shows most of what can be wrong between two frames.
+            Package::Interpolation => "dance.bvh",
+            Package::Acclaim => "walk.amc",
+            Package::Fk | Package::Keyframes => "running.bvh",
+        };
         let default = || vec![workspace.join("data").join(name)];
         let files = if self.files.is_empty() { default() } else { self.files.clone() };
         let source = |path| Source {
@@ -257,6 +262,7 @@ impl Arguments {
             }
         }
         settings.edit = self.keyframes.begin(EditSettings::for_exercise(self.exercise));
+        settings.bones = self.exercise.mover().is_some_and(Mover::needs_bones);
         settings.style = if self.lines { Style::Lines } else { Style::Lit };
         settings.text_scale = self.scale;
         // Captions say what there is to say on a sheet.
@@ -319,9 +325,13 @@ mod tests {
         assert_eq!(parse(&["--exercise", "keyframes", "--solution"]).unwrap().exercise, Package::Keyframes);
         assert!(first(&["--exercise", "interpolation"]).ends_with("dance.bvh"));
         assert!(first(&["--exercise", "keyframes"]).ends_with("running.bvh"));
+        assert!(first(&["--exercise", "acclaim", "a.amc", "a.asf"]).ends_with("a.amc"));
         assert!(first(&["--exercise", "interpolation", "a.bvh"]).ends_with("a.bvh"));
+        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let bones = parse(&["--exercise", "acclaim"]).unwrap().sources(&workspace).unwrap().remove(0);
+        assert!(bones.path.ends_with("data/walk.amc") && bones.skeleton.unwrap().ends_with("data/walk.asf"));
         let error = parse(&["--exercise", "interpolate"]).unwrap_err().to_string();
-        for name in ["'interpolate'", "fk", "interpolation", "keyframes"] {
+        for name in ["'interpolate'", "fk", "interpolation", "keyframes", "acclaim"] {
             assert!(error.contains(name), "{error}");
         }
     }

@@ -56,12 +56,36 @@ fn beside(motion: &Path) -> Option<PathBuf> {
     named.or(skeletons.first().filter(|_| skeletons.len() == 1)).cloned()
 }
 
+/// Sees to it that all motions have bones.
+///
+/// # Errors
+///
+/// When one has joints instead.
+pub fn check_bones(sources: &[Source]) -> Result<(), String> {
+    let Some(source) = sources.iter().find(|source| !source.has_bones()) else { return Ok(()) };
+    let converted = source.path.with_extension("amc");
+    let [file, converted] = [source.path.as_path(), &converted].map(shown_in_command);
+    Err(format!(
+        "{} holds joints, and this exercise moves bones: it needs a skeleton in an .asf file and its motion in an .amc file, \
+         as data/walk.asf and data/walk.amc. A motion of joints can be converted where its joints allow it: \
+         cargo view {file} --out {converted}",
+        source.title()
+    ))
+}
+
+/// A file as one would write it in a command.
+fn shown_in_command(path: &Path) -> String {
+    let path = shown(path);
+    let quote = if path.contains(' ') { "\"" } else { "" };
+    format!("{quote}{path}{quote}")
+}
+
 fn missing(motion: &Path) -> String {
-    let motion = shown(motion);
-    let quote = if motion.contains(' ') { "\"" } else { "" };
     format!(
-        "{motion} is the motion of a skeleton that is in another file, an .asf file, and it is not clear in which one: \
-         cargo view SKELETON.asf {quote}{motion}{quote}"
+        "{} is the motion of a skeleton that is in another file, an .asf file, and it is not clear in which one: \
+         cargo view SKELETON.asf {}",
+        shown(motion),
+        shown_in_command(motion)
     )
 }
 
@@ -88,6 +112,20 @@ mod tests {
         assert_eq!(found(&["a.asf"]), [alone("a.asf")]);
         let mixed = found(&["r.bvh", "b.asf", "a.asf", "w.amc"]);
         assert_eq!(mixed, [alone("r.bvh"), alone("b.asf"), pair("w.amc", "a.asf")]);
+    }
+
+    #[test]
+    fn joints_are_told_apart_from_bones_and_how_to_convert_them() {
+        let check = |files: &[&str]| {
+            let path = |file: &&str| PathBuf::from(file);
+            let skeleton = Some("s.asf".into());
+            let source = |path| Source { skeleton: skeleton.clone(), ..Source::new(path) };
+            check_bones(&files.iter().map(path).map(source).collect::<Vec<_>>())
+        };
+        assert_eq!(check(&["a.amc", "b.ASF"]), Ok(()));
+        let told = check(&["a.amc", "my files/walk.bvh"]).unwrap_err();
+        assert!(told.starts_with("walk.bvh holds joints"), "{told}");
+        assert!(told.ends_with("cargo view \"my files/walk.bvh\" --out \"my files/walk.amc\""), "{told}");
     }
 
     #[test]

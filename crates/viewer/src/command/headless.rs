@@ -12,7 +12,7 @@ use super::{edited, say, text, workspace};
 use crate::draw::Painter;
 use crate::draw::canvas::Canvas;
 use crate::live::board::Board;
-use crate::live::package::Package;
+use crate::live::mover::Mover;
 use crate::live::student::Status;
 use crate::live::version::Version;
 use crate::live::worker;
@@ -77,29 +77,30 @@ impl Studio {
             frames,
             seconds,
         };
-        match arguments.exercise {
-            package @ (Package::Interpolation | Package::Keyframes) if !arguments.solution => {
-                edited::by_student(package, &workspace(), &mut studio.gallery);
+        let package = arguments.exercise;
+        match package.mover().filter(|_| !arguments.solution) {
+            None if arguments.solution => edited::by_reference(&mut studio.gallery),
+            None => edited::by_student(package, &workspace(), &mut studio.gallery),
+            Some(mover) => {
+                edited::by_reference(&mut studio.gallery);
+                // Of an edited motion both figures are the reference's.
+                if studio.gallery.apps().iter().all(|app| app.wish().is_none()) {
+                    studio.ask(mover);
+                }
             }
-            _ => edited::by_reference(&mut studio.gallery),
-        }
-        // Of an edited motion both figures are the reference's.
-        let is_edited = studio.gallery.apps().iter().any(|app| app.wish().is_some());
-        if arguments.exercise == Package::Fk && !arguments.solution && !is_edited {
-            studio.ask();
         }
         Ok(studio)
     }
 
     /// Asks the student's functions for all that will be seen of them.
-    fn ask(&mut self) {
+    fn ask(&mut self, mover: Mover) {
         let version = Version::default();
-        let built = worker::compile(Package::Fk, &workspace(), &version);
+        let built = worker::compile(mover.package(), &workspace(), &version);
         let mut worker = built.map(|program| program.worker());
         for motion in 0..self.gallery.apps().len() {
             let recorded = match &mut worker {
-                Err(trouble) => Recorded::new(Status::Failed(trouble.clone().into())),
-                Ok(worker) => self.record(worker, motion),
+                Err(trouble) => Recorded::new(mover, Status::Failed(trouble.clone().into())),
+                Ok(worker) => self.record(mover, worker, motion),
             };
             let shown = |frame: &usize| self.gallery.frame_at_the_time_of(0, *frame, motion);
             tell(&recorded, self.frames.iter().map(shown));
@@ -108,18 +109,18 @@ impl Studio {
         if let Ok(worker) = &mut worker {
             // What is printed while other questions are answered is about nothing that the picture shows.
             version.hush(true);
-            let board = Arc::new(Board::of(worker, Package::Fk));
+            let board = Arc::new(Board::of(worker, mover.package()));
             self.answers.iter_mut().for_each(|recorded| recorded.standing.board = Some(board.clone()));
         }
     }
 
-    fn record(&self, worker: &mut WorkerProcess, motion: usize) -> Recorded {
+    fn record(&self, mover: Mover, worker: &mut WorkerProcess, motion: usize) -> Recorded {
         let app = &self.gallery.apps()[motion];
         let frames = self.frames.iter().flat_map(|frame| self.seen_with(motion, *frame));
-        let mut recorded = Recorded::ask(worker, app.stage(), frames);
+        let mut recorded = Recorded::ask(mover, worker, app.stage(), frames);
         if app.selected().is_some() && app.settings.words {
             for frame in &self.frames {
-                recorded.ask_locals(
+                recorded.ask_details(
                     worker,
                     app.stage(),
                     self.gallery.frame_at_the_time_of(0, *frame, motion),

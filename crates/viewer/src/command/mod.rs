@@ -17,6 +17,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 
+use crate::live::mover::Mover;
 use crate::live::worker::Trouble;
 use crate::motion::source::{self, Loaded, Source};
 use crate::view::app::App;
@@ -54,6 +55,10 @@ fn view(arguments: &Arguments) -> Result<(), String> {
             say(&report(source, &source.read().map_err(text)?));
             Ok(())
         });
+    }
+    if arguments.exercise.mover().is_some_and(Mover::needs_bones) && arguments.keyframes.targets().is_empty()
+    {
+        files::check_bones(&sources)?;
     }
     if let Some(output) = pictures {
         return headless::write(arguments, &output, &sources);

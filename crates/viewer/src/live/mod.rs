@@ -1,10 +1,11 @@
 //! The student's functions in step with the file: every save is built, asked and graded.
 //!
-//! Those of forward kinematics move the figure: [`Live`]. Those of the two exercises on editing a motion make what is
-//! edited: [`sister`].
+//! Those that pose figures by themselves move what is shown: [`Live`]. Those of the two exercises on editing a motion make
+//! what is edited: [`sister`].
 
 pub mod board;
 mod diagnostic;
+pub mod mover;
 pub mod package;
 pub mod rebuilder;
 pub mod sister;
@@ -17,51 +18,53 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use exam::WorkerProcess;
-use exam::fk::{LocalAnswer, PosedFrame};
 
 use crate::motion::stage::Stage;
 use crate::view::answers::Answers;
 use board::Board;
+use mover::Mover;
 use package::Package;
 use rebuilder::Rebuilder;
-use student::{News, Standing, Student};
+use student::{Details, News, Posed, Standing, Student};
 use version::Version;
 use watch::{Baseline, Change, Watcher};
 use worker::Trouble;
 
 /// The student's functions, the files that are watched, and what the terminal is told.
 pub struct Live {
+    mover: Mover,
     student: Student,
     watcher: Watcher,
     motions: Vec<Vec<PathBuf>>,
 }
 
 impl Live {
-    /// Builds the exercise of the workspace in the folder `workspace`, and asks it about `stages`. From now on the
+    /// Builds the exercise `mover` of the workspace in the folder `workspace`, and asks it about `stages`. From now on the
     /// exercise is watched, and so are the files that each of the stages was read from: `motions`, in the same order.
     ///
     /// Points, troubles and what the student's functions print go to the terminal.
-    pub fn open(workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<Vec<PathBuf>>) -> Live {
-        let folder = workspace.to_owned();
+    pub fn open(mover: Mover, workspace: &Path, stages: Vec<Arc<Stage>>, motions: Vec<Vec<PathBuf>>) -> Live {
+        let (package, folder) = (mover.package(), workspace.to_owned());
         let build =
-            move |version: &_| worker::compile(Package::Fk, &folder, version).map(|program| program.worker());
-        Live::open_with(workspace, stages, motions, build)
+            move |version: &_| worker::compile(package, &folder, version).map(|program| program.worker());
+        Live::open_with(mover, workspace, stages, motions, build)
     }
 
     /// The same, with another way to build the exercise.
     pub fn open_with(
+        mover: Mover,
         workspace: &Path,
         stages: Vec<Arc<Stage>>,
         motions: Vec<Vec<PathBuf>>,
         build: impl FnMut(&Version) -> Result<WorkerProcess, Trouble> + Send + 'static,
     ) -> Live {
         // What is saved from here on is noticed; what was saved before is what is built.
-        let baseline = Baseline::now(&Package::Fk.sources(workspace), &motions);
-        let build = building_anew(Package::Fk, workspace, build);
+        let baseline = Baseline::now(&mover.package().sources(workspace), &motions);
+        let build = building_anew(mover.package(), workspace, build);
         let mut terminal = Terminal::default();
-        let student = Student::start(stages, build, move |news| terminal.tell(news));
+        let student = Student::start(mover, stages, build, move |news| terminal.tell(news));
         let watcher = watch(baseline, student.rebuilder());
-        Live { student, watcher, motions }
+        Live { mover, student, watcher, motions }
     }
 
     /// Takes what has come, and gives the motions (from 0) whose files were saved: these are to be read again and handed to
@@ -80,7 +83,7 @@ impl Live {
 
     /// What is known of them on motion `motion` (from 0).
     pub fn of(&self, motion: usize) -> OfMotion<'_> {
-        OfMotion { student: &self.student, motion }
+        OfMotion { mover: self.mover, student: &self.student, motion }
     }
 
     /// The student's functions.
@@ -88,7 +91,7 @@ impl Live {
         &self.student
     }
 
-    /// Asks for the local rotations of a frame: see [`Student::locals`].
+    /// Asks for the details of a frame: see [`Student::details`].
     pub fn student_mut(&mut self) -> &mut Student {
         &mut self.student
     }
@@ -125,16 +128,21 @@ fn watch(baseline: Baseline, rebuilder: Rebuilder) -> Watcher {
 
 /// What is known of the student's functions on one motion.
 pub struct OfMotion<'a> {
+    mover: Mover,
     student: &'a Student,
     motion: usize,
 }
 
 impl Answers for OfMotion<'_> {
+    fn mover(&self) -> Mover {
+        self.mover
+    }
+
     fn standing(&self, frame: usize) -> Standing {
         self.student.standing(self.motion, frame)
     }
 
-    fn posed(&self, frame: usize) -> Option<&PosedFrame> {
+    fn posed(&self, frame: usize) -> Option<&Posed> {
         self.student.pose(self.motion, frame)
     }
 
@@ -142,8 +150,8 @@ impl Answers for OfMotion<'_> {
         self.student.version(self.motion, frame)
     }
 
-    fn locals(&self, frame: usize) -> Option<&[LocalAnswer]> {
-        self.student.known_locals(self.motion, frame)
+    fn details(&self, frame: usize) -> Option<&Details> {
+        self.student.known_details(self.motion, frame)
     }
 }
 

@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 use grading::{EXERCISES, Exercise};
 
+use super::mover::Mover;
+
 /// An exercise that the viewer can show, as a package of the workspace: one file of the student's, and a program that answers
-/// for its functions.
+/// for its functions. The order is that of [`EXERCISES`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Package {
     /// Forward kinematics: your functions move the figure
@@ -16,9 +18,20 @@ pub enum Package {
     Interpolation,
     /// Keyframes: your functions choose which frames stay
     Keyframes,
+    /// Acclaim forward kinematics: your functions move the bones
+    Acclaim,
 }
 
 impl Package {
+    /// The exercise as one whose functions pose figures by themselves; `None` for those that have a part in editing a motion.
+    pub fn mover(self) -> Option<Mover> {
+        match self {
+            Package::Fk => Some(Mover::Fk),
+            Package::Acclaim => Some(Mover::Acclaim),
+            Package::Interpolation | Package::Keyframes => None,
+        }
+    }
+
     /// What is known of the exercise before anything is asked.
     pub fn exercise(self) -> &'static Exercise {
         &EXERCISES[self as usize]
@@ -34,9 +47,9 @@ impl Package {
         format!("{}-worker", self.name())
     }
 
-    /// The student's file: `fk.rs`.
+    /// The student's file, which is called like a module: `fk.rs`.
     pub fn file(self) -> String {
-        format!("{}.rs", self.name())
+        format!("{}.rs", self.name().replace('-', "_"))
     }
 
     /// The folder of the package's sources in the workspace in the folder `workspace`.
@@ -51,10 +64,11 @@ mod tests {
 
     #[test]
     fn every_exercise_that_can_be_shown_is_a_package_of_its_name() {
-        let names = ["fk", "interpolation", "keyframes"];
+        let names = ["fk", "interpolation", "keyframes", "acclaim"];
         assert_eq!(Package::value_variants().iter().map(|package| package.name()).collect::<Vec<_>>(), names);
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         for package in Package::value_variants() {
+            assert!(package.mover().is_none_or(|mover| mover.package() == *package));
             let value = package.to_possible_value().unwrap();
             assert_eq!(value.get_name(), package.name());
             let sources = package.sources(&workspace);

@@ -1,8 +1,8 @@
 //! The bones that the joints of a motion stand for, where it was read from Acclaim files.
 
 use glam::{Quat, Vec3};
-use skeleton::acclaim::{BoneId, BonePlace, Motion, Posture};
-use skeleton::{Pose, Transform};
+use skeleton::acclaim::{Bone, BoneId, BonePlace, Motion, Posture};
+use skeleton::{Pose, RotationOrder, Transform};
 
 /// A motion of bones, beside the same motion of joints as [`parser::acclaim::to_joints`] makes it: a joint stands for the
 /// start of its bone, and an End Site for the end of the bone on which nothing hangs.
@@ -58,9 +58,28 @@ impl Bones {
         }
     }
 
+    /// The pose of so many joints of which nothing is known.
+    pub fn nowhere(joints: usize) -> Pose {
+        Pose::from(vec![NOWHERE; joints])
+    }
+
     /// Where all bones are in `posture`, by the reference solution.
     pub fn reference(&self, posture: &Posture) -> Vec<Option<BonePlace>> {
-        exam::acclaim::places(self.motion.skeleton(), posture, &solutions::ACCLAIM)
+        let mut places = Vec::new();
+        self.read_reference(posture, &mut places);
+        places
+    }
+
+    /// The same, into `places`, whose memory is used again.
+    pub fn read_reference(&self, posture: &Posture, places: &mut Vec<Option<BonePlace>>) {
+        exam::acclaim::read_places(self.motion.skeleton(), posture, &solutions::ACCLAIM, places);
+    }
+
+    /// The bones that turn about their axes in another order than Rz Ry Rx, which is that of the exercise: their degrees of
+    /// freedom are not listed as rx, ry, rz.
+    pub fn in_other_orders(&self) -> impl Iterator<Item = &Bone> + Clone {
+        let usual = |bone: &&Bone| matches!(bone.rotation_order, RotationOrder::Zyx | RotationOrder::None);
+        self.motion.skeleton().bones().iter().filter(move |bone| !usual(bone))
     }
 }
 

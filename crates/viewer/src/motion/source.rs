@@ -109,17 +109,18 @@ impl Source {
         [&self.path].into_iter().chain(&self.skeleton).cloned().collect()
     }
 
+    /// Whether it is one of bones, in Acclaim files.
+    pub fn has_bones(&self) -> bool {
+        ends_in(&self.path, "asf") || ends_in(&self.path, "amc")
+    }
+
     /// Reads the files.
     ///
     /// # Errors
     ///
     /// When they are no motion: with the place and what was expected there.
     pub fn read(&self) -> Result<Loaded, Unreadable> {
-        let loaded = if ends_in(&self.path, "asf") || ends_in(&self.path, "amc") {
-            self.read_bones()?
-        } else {
-            self.read_joints()?
-        };
+        let loaded = if self.has_bones() { self.read_bones()? } else { self.read_joints()? };
         match &self.warp {
             None => Ok(loaded),
             Some(warping) => self.warped(loaded, warping),

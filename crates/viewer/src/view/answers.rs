@@ -8,23 +8,27 @@ use exam::fk::{LocalAnswer, PosedFrame};
 use exam::{Failure, Subject};
 use skeleton::{FkFunctions, Frame, FrameCursor, Pose, pose_frame};
 
-use crate::live::student::{self, PATIENCE, Standing, Status};
+use crate::live::mover::Mover;
+use crate::live::student::{self, Details, PATIENCE, Posed, Standing, Status};
 use crate::live::worker::Trouble;
 use crate::motion::stage::Stage;
 
 /// The answers of a student's functions.
 pub trait Answers {
+    /// The exercise that they are of.
+    fn mover(&self) -> Mover;
+
     /// How things stand with the functions, when this frame is shown.
     fn standing(&self, frame: usize) -> Standing;
 
     /// What they made of a frame (from 0), if they have answered.
-    fn posed(&self, frame: usize) -> Option<&PosedFrame>;
+    fn posed(&self, frame: usize) -> Option<&Posed>;
 
     /// Which version of the functions that was: one saved later has a higher number.
     fn version(&self, frame: usize) -> Option<u64>;
 
-    /// What part 1 made of every joint in a frame (from 0), if it was asked by itself and has answered.
-    fn locals(&self, frame: usize) -> Option<&[LocalAnswer]>;
+    /// What single parts made of a frame (from 0), if they were asked by themselves and have answered.
+    fn details(&self, frame: usize) -> Option<&Details>;
 }
 
 /// How many joints are asked about at once.
@@ -36,36 +40,44 @@ const MOST_COSTLY: usize = 3;
 /// Answers that have been given: for pictures, where all questions are asked beforehand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recorded {
+    /// The exercise that they are of.
+    pub mover: Mover,
     /// How things stand, whatever the frame.
     pub standing: Standing,
     /// What the functions made of the frames that they were asked about.
-    pub poses: BTreeMap<usize, PosedFrame>,
+    pub poses: BTreeMap<usize, Posed>,
     /// What is wrong with frames that were not answered.
     pub troubles: BTreeMap<usize, Arc<Trouble>>,
-    /// What part 1 made of every joint in the frames that it was asked about.
-    pub locals: BTreeMap<usize, Vec<LocalAnswer>>,
+    /// What single parts made of the frames that they were asked about.
+    pub details: BTreeMap<usize, Details>,
 }
 
 impl Recorded {
     /// No answers yet.
-    pub fn new(status: Status) -> Recorded {
-        let standing = Standing { status, current: true, board: None, former: None, grading: false };
-        Recorded { standing, poses: BTreeMap::new(), troubles: BTreeMap::new(), locals: BTreeMap::new() }
+    pub fn new(mover: Mover, status: Status) -> Recorded {
+        Recorded {
+            mover,
+            standing: Standing { status, current: true, board: None, former: None, grading: false },
+            poses: BTreeMap::new(),
+            troubles: BTreeMap::new(),
+            details: BTreeMap::new(),
+        }
     }
 
-    /// Asks a subject about these frames of the motion on `stage`, in any order, here and now. A frame that fails is told
+    /// Asks a subject, the functions of the exercise `mover`, about these frames of the motion on `stage`, in any order, here and now. A frame that fails is told
     /// with what is wrong with it, and the others are asked all the same, until too many have failed.
     pub fn ask(
+        mover: Mover,
         subject: &mut impl Subject,
         stage: &Stage,
         frames: impl IntoIterator<Item = usize>,
     ) -> Recorded {
-        let mut recorded = Recorded::new(Status::Answered);
-        let most = (JOINTS_AT_ONCE / stage.motion().skeleton().len().max(1)).max(1);
+        let mut recorded = Recorded::new(mover, Status::Answered);
+        let most = (JOINTS_AT_ONCE / mover.frame_size(stage)).max(1);
         let mut ranges = VecDeque::from(ranges(frames.into_iter().collect(), most));
         let mut costly = 0;
         while let Some(frames) = ranges.pop_front() {
-            let failure = match student::ask(subject, stage, frames.clone()) {
+            let failure = match student::ask(mover, subject, stage, frames.clone()) {
                 Ok(poses) => {
                     recorded.poses.extend(frames.zip(poses));
                     continue;
@@ -77,7 +89,7 @@ impl Recorded {
                 frames.rev().for_each(|frame| ranges.push_front(frame..frame + 1));
                 continue;
             }
-            let trouble = Arc::new(student::explain(subject, stage, frames.start, &failure));
+            let trouble = Arc::new(student::explain(mover, subject, stage, frames.start, &failure));
             recorded.troubles.insert(frames.start, trouble.clone());
             if costly >= MOST_COSTLY {
                 // What is left would most likely end like this too.
@@ -88,18 +100,17 @@ impl Recorded {
         recorded
     }
 
-    /// Asks part 1 by itself about every joint in a frame. Where it fails nothing is known.
-    pub fn ask_locals(&mut self, subject: &mut impl Subject, stage: &Stage, frame: usize) {
-        let joints = stage.motion().skeleton().joints();
-        if let Ok(locals) = student::ask_locals(subject, joints, stage.frame(frame).angles, PATIENCE) {
-            self.locals.insert(frame, locals);
+    /// Asks single parts by themselves about a frame. Where they fail nothing is known.
+    pub fn ask_details(&mut self, subject: &mut impl Subject, stage: &Stage, frame: usize) {
+        if let Ok(details) = student::ask_details(self.mover, subject, stage, frame, PATIENCE) {
+            self.details.insert(frame, details);
         }
     }
 
-    /// The answers of `functions` to these frames of the motion on `stage`, given here and now. A panic of theirs goes
+    /// The answers of the functions of forward kinematics to these frames of the motion on `stage`, given here and now. A panic of theirs goes
     /// through.
     pub fn of(functions: &FkFunctions, stage: &Stage, frames: impl IntoIterator<Item = usize>) -> Recorded {
-        let mut recorded = Recorded::new(Status::Answered);
+        let mut recorded = Recorded::new(Mover::Fk, Status::Answered);
         let skeleton = stage.motion().skeleton();
         let mut frame = Frame::default();
         for index in frames {
@@ -107,7 +118,7 @@ impl Recorded {
             let mut pose = Pose::default();
             let leftover = pose_frame(skeleton, &frame, functions, &mut pose);
             let posed = PosedFrame { pose, taken: leftover.taken, available: leftover.available };
-            recorded.poses.insert(index, posed);
+            recorded.poses.insert(index, posed.into());
 
             let mut cursor = FrameCursor::new(&frame.angles);
             let local = |joint| {
@@ -115,7 +126,8 @@ impl Recorded {
                 let rotation = (functions.local_quaternion)(joint, &mut cursor);
                 LocalAnswer { rotation, taken: cursor.taken().saturating_sub(before) }
             };
-            recorded.locals.insert(index, skeleton.joints().iter().map(local).collect());
+            let locals = skeleton.joints().iter().map(local).collect();
+            recorded.details.insert(index, Details::Locals(locals));
         }
         recorded
     }
@@ -134,6 +146,10 @@ fn ranges(frames: BTreeSet<usize>, most: usize) -> Vec<Range<usize>> {
 }
 
 impl Answers for Recorded {
+    fn mover(&self) -> Mover {
+        self.mover
+    }
+
     fn standing(&self, frame: usize) -> Standing {
         let status = match self.troubles.get(&frame) {
             Some(trouble) => Status::Failed(trouble.clone()),
@@ -143,7 +159,7 @@ impl Answers for Recorded {
         Standing { status, ..self.standing.clone() }
     }
 
-    fn posed(&self, frame: usize) -> Option<&PosedFrame> {
+    fn posed(&self, frame: usize) -> Option<&Posed> {
         self.poses.get(&frame)
     }
 
@@ -151,8 +167,8 @@ impl Answers for Recorded {
         self.posed(frame).map(|_| 1)
     }
 
-    fn locals(&self, frame: usize) -> Option<&[LocalAnswer]> {
-        self.locals.get(&frame).map(Vec::as_slice)
+    fn details(&self, frame: usize) -> Option<&Details> {
+        self.details.get(&frame)
     }
 }
 
@@ -176,7 +192,7 @@ mod tests {
         let stage = Stage::new(samples::chain(9, 1.0), PositionChannels::Replace);
         let frames = [7, 2, 3, 2];
         let mut subject = InProcess(Functions::Fk(solutions::FK));
-        let asked = Recorded::ask(&mut subject, &stage, frames);
+        let asked = Recorded::ask(Mover::Fk, &mut subject, &stage, frames);
         assert_eq!(asked.poses, Recorded::of(&solutions::FK, &stage, frames).poses);
         assert_eq!(asked.posed(3).unwrap().pose, stage.reference(3));
         assert_eq!(asked.posed(4), None);
@@ -192,7 +208,7 @@ mod tests {
         }
         let stage = Stage::new(samples::chain(9, 1.0), PositionChannels::Replace);
         let functions = FkFunctions { local_quaternion: panics, ..solutions::FK };
-        let asked = Recorded::ask(&mut InProcess(Functions::Fk(functions)), &stage, 2..8);
+        let asked = Recorded::ask(Mover::Fk, &mut InProcess(Functions::Fk(functions)), &stage, 2..8);
         assert_eq!(asked.poses.keys().copied().collect::<Vec<_>>(), [2, 3, 4, 6, 7]);
         assert_eq!(asked.standing(4).status, Status::Answered);
         let Status::Failed(trouble) = asked.standing(5).status else { panic!() };
@@ -211,7 +227,7 @@ mod tests {
         }
         let stage = Stage::new(samples::chain(900, 1.0), PositionChannels::Replace);
         let mut subject = Crashes(0);
-        let asked = Recorded::ask(&mut subject, &stage, 0..900);
+        let asked = Recorded::ask(Mover::Fk, &mut subject, &stage, 0..900);
         assert!(subject.0 < 30, "{}", subject.0);
         assert!(matches!(asked.standing(899).status, Status::Failed(_)));
     }

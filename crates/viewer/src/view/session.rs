@@ -45,13 +45,13 @@ impl Session {
     pub fn open(gallery: Gallery, sources: Vec<Source>, followed: Option<(Package, &Path)>) -> Session {
         let files: Vec<Vec<PathBuf>> = sources.iter().map(Source::files).collect();
         let functions = match followed {
-            Some((Package::Fk, workspace)) => {
-                let stages = gallery.apps().iter().map(|app| app.stage().clone()).collect();
-                Functions::Student(Box::new(Live::open(workspace, stages, files)))
-            }
-            Some((package, workspace)) => {
-                Functions::Sister(Box::new(Sister::open(package, workspace, files, reference)))
-            }
+            Some((package, workspace)) => match package.mover() {
+                Some(mover) => {
+                    let stages = gallery.apps().iter().map(|app| app.stage().clone()).collect();
+                    Functions::Student(Box::new(Live::open(mover, workspace, stages, files)))
+                }
+                None => Functions::Sister(Box::new(Sister::open(package, workspace, files, reference))),
+            },
             None => {
                 let watcher = Watcher::start(Baseline::of_motions(&files), |_| {});
                 Functions::Reference(watcher, files)
@@ -72,7 +72,7 @@ impl Session {
                 let shown: Vec<usize> = self.gallery.apps().iter().map(App::frame).collect();
                 for (motion, app) in self.gallery.apps().iter().enumerate() {
                     if app.selected().is_some() {
-                        live.student_mut().locals(motion, app.frame());
+                        live.student_mut().details(motion, app.frame());
                     }
                 }
                 live.update(&shown)

@@ -67,7 +67,7 @@ impl<S: Subject + Send> Hand for StudentHand<S> {
         match self.package {
             // How far they are is known to nobody.
             Package::Keyframes => self.ask(|subject, _| ask::reduce(subject, stage, representation, counts)),
-            Package::Fk | Package::Interpolation => self.rest.reduce(stage, representation, counts, progress),
+            _ => self.rest.reduce(stage, representation, counts, progress),
         }
     }
 
@@ -84,17 +84,15 @@ impl<S: Subject + Send> Hand for StudentHand<S> {
                 let hush = || version.hush(true);
                 ask::between(subject, stage, representation, (start, end), progress, hush)
             }),
-            Package::Fk | Package::Keyframes => {
-                self.rest.between(stage, representation, start, end, progress)
-            }
+            _ => self.rest.between(stage, representation, start, end, progress),
         }
     }
 
     fn makers(&self) -> Makers {
         match self.package {
-            Package::Fk => self.rest.makers(),
             Package::Interpolation => Makers { between: Maker::Student, ..self.rest.makers() },
             Package::Keyframes => Makers { keyframes: Maker::Student, ..self.rest.makers() },
+            _ => self.rest.makers(),
         }
     }
 

@@ -3,15 +3,14 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use exam::fk::PosedFrame;
-
+use super::posed::Posed;
 use super::window::Window;
 use crate::live::worker::Trouble;
 
 /// The newest pose of every frame that is at hand, and what is wrong with the frames that have none of the last version.
 pub(super) struct Held {
     window: Window,
-    batches: BTreeMap<usize, Vec<Option<(u64, PosedFrame)>>>,
+    batches: BTreeMap<usize, Vec<Option<(u64, Posed)>>>,
     troubles: BTreeMap<usize, Arc<Trouble>>,
 }
 
@@ -26,7 +25,7 @@ impl Held {
     }
 
     /// Keeps what `version` answered for the frames from `first` on.
-    pub(super) fn insert(&mut self, version: u64, first: usize, frames: Vec<PosedFrame>) {
+    pub(super) fn insert(&mut self, version: u64, first: usize, frames: Vec<Posed>) {
         for (frame, posed) in (first..).zip(frames) {
             let batch = frame / self.window.batch_size();
             let all = self.window.frames(batch);
@@ -42,7 +41,7 @@ impl Held {
     }
 
     /// The pose of `frame`, and the version that answered it.
-    pub(super) fn pose(&self, frame: usize) -> Option<(u64, &PosedFrame)> {
+    pub(super) fn pose(&self, frame: usize) -> Option<(u64, &Posed)> {
         let kept = self.batches.get(&(frame / self.window.batch_size()))?;
         let (version, posed) = kept.get(frame % self.window.batch_size())?.as_ref()?;
         Some((*version, posed))

@@ -9,6 +9,7 @@ mod held;
 mod narrow;
 mod pieces;
 mod plan;
+mod posed;
 #[cfg(test)]
 mod tests;
 mod window;
@@ -20,13 +21,14 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 
 use exam::Subject;
-use exam::fk::{LocalAnswer, PosedFrame};
 
-pub(crate) use ask::locals as ask_locals;
+pub(crate) use ask::details as ask_details;
 pub use ask::{PATIENCE, ask};
 pub(crate) use narrow::explain;
+pub use posed::{Details, Extra, Posed};
 
 use crate::live::board::Board;
+use crate::live::mover::Mover;
 use crate::live::rebuilder::Rebuilder;
 use crate::live::version::Version;
 use crate::live::worker::Trouble;
@@ -39,8 +41,8 @@ use work::{Desk, Event, Work};
 /// are needed.
 const MOST_BATCHES: usize = 256;
 
-/// For how many frames local rotations are kept.
-const MOST_LOCALS: usize = 64;
+/// For how many frames details are kept.
+const MOST_DETAILS: usize = 64;
 
 /// What is going on with the student's functions.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -83,9 +85,9 @@ pub enum News {
 pub struct Student {
     desk: Desk,
     held: Vec<Held>,
-    /// Nothing stands for a frame whose local rotations could not be had.
-    locals: BTreeMap<(usize, usize), Option<Vec<LocalAnswer>>>,
-    /// The motion and the frame whose local rotations were asked for last.
+    /// Nothing stands for a frame of which they could not be had.
+    details: BTreeMap<(usize, usize), Option<Details>>,
+    /// The motion and the frame whose details were asked for last.
     asked: Option<(usize, usize)>,
     /// The version that all this is about.
     number: u64,
@@ -100,14 +102,15 @@ pub struct Student {
 }
 
 impl Student {
-    /// Builds with `open`, on a thread of its own, and asks the subject that it gives about all `stages`. For every save
-    /// it is called again, never twice at once. `tell` is called on that thread.
+    /// Builds with `open`, on a thread of its own, and asks the subject that it gives, the functions of the exercise `mover`,
+    /// about all `stages`. For every save it is called again, never twice at once. `tell` is called on that thread.
     pub fn start<S: Subject>(
+        mover: Mover,
         stages: Vec<Arc<Stage>>,
         open: impl FnMut(&Version) -> Result<S, Trouble> + Send + 'static,
         tell: impl FnMut(News) + Send + 'static,
     ) -> Student {
-        let plan = Plan::new(stages, most_batches);
+        let plan = Plan::new(mover, stages, most_batches);
         let held = plan.motions.iter().map(|motion| Held::new(motion.window)).collect();
         let desk = Desk::new(plan);
         let (sender, events) = mpsc::channel();
@@ -116,7 +119,7 @@ impl Student {
             let desk = desk.clone();
             move |number, version, before| {
                 let (desk, events, tell) = (desk.clone(), sender.clone(), tell.clone());
-                let work = Work { number, version, before, desk, events, tell, told: false };
+                let work = Work { mover, number, version, before, desk, events, tell, told: false };
                 let open = Arc::clone(&open);
                 thread::Builder::new().name("student".into()).spawn(move || work.run(&open)).map(|_| ())
             }
@@ -129,7 +132,7 @@ impl Student {
         let mut student = Student {
             desk,
             held,
-            locals: BTreeMap::new(),
+            details: BTreeMap::new(),
             asked: None,
             number: 0,
             ready: false,
@@ -163,7 +166,7 @@ impl Student {
             return false;
         }
         self.held.iter_mut().for_each(Held::begin);
-        self.locals.clear();
+        self.details.clear();
         (self.ready, self.failed, self.given_up, self.grading) = (false, None, None, false);
         self.former = self.board.take().or(self.former.take());
         self.asked = None;
@@ -177,14 +180,14 @@ impl Student {
     /// Motion `motion` (from 0) was read again. Its frames are asked anew; nothing is built.
     pub fn replace_stage(&mut self, motion: usize, stage: Arc<Stage>) {
         let mut plan = self.desk.plan();
-        let count = plan.motions.len();
+        let (mover, count) = (plan.mover, plan.motions.len());
         let Some(old) = plan.motions.get_mut(motion) else { return };
         let shown = old.shown.min(stage.frame_count() - 1);
-        *old = MotionPlan::new(stage, old.reading + 1, most_batches(count));
+        *old = MotionPlan::new(mover, stage, old.reading + 1, most_batches(count));
         old.shown = shown;
         self.held[motion] = Held::new(old.window);
         drop(plan);
-        self.locals.retain(|(of, _), _| *of != motion);
+        self.details.retain(|(of, _), _| *of != motion);
         self.asked = None;
         self.desk.wake();
     }
@@ -232,15 +235,15 @@ impl Student {
                 self.grading = false;
             }
             Event::GivenUp(trouble) => self.given_up = Some(trouble),
-            Event::Frames(at, ..) | Event::Trouble(at, ..) | Event::Locals(at, ..)
+            Event::Frames(at, ..) | Event::Trouble(at, ..) | Event::Details(at, ..)
                 if is_late(&at, &self.desk) => {}
             Event::Frames(at, first, poses) => self.held[at.index].insert(self.number, first, poses),
             Event::Trouble(at, frame, trouble) => self.held[at.index].insert_trouble(frame, trouble),
-            Event::Locals(at, frame, locals) => {
-                if self.locals.len() >= MOST_LOCALS {
-                    self.locals.clear();
+            Event::Details(at, frame, details) => {
+                if self.details.len() >= MOST_DETAILS {
+                    self.details.clear();
                 }
-                self.locals.insert((at.index, frame), locals);
+                self.details.insert((at.index, frame), details);
             }
             Event::Grading => self.grading = true,
             Event::Graded(board) => {
@@ -267,7 +270,7 @@ impl Student {
     }
 
     /// The newest pose at hand: what the functions made of the frame as they were saved last, or else before that.
-    pub fn pose(&self, motion: usize, frame: usize) -> Option<&PosedFrame> {
+    pub fn pose(&self, motion: usize, frame: usize) -> Option<&Posed> {
         self.held.get(motion)?.pose(frame).map(|(_, posed)| posed)
     }
 
@@ -276,22 +279,22 @@ impl Student {
         self.held.get(motion)?.pose(frame).map(|(version, _)| version)
     }
 
-    /// What part 1 gives for every joint of the frame. Nothing until it has been asked, which begins now, or when it
-    /// gives no answer.
-    pub fn locals(&mut self, motion: usize, frame: usize) -> Option<&[LocalAnswer]> {
+    /// What single parts give for the frame. Nothing until they have been asked, which begins now, or when they give no
+    /// answer.
+    pub fn details(&mut self, motion: usize, frame: usize) -> Option<&Details> {
         let held = self.held.get(motion)?;
         let place = (motion, frame);
-        let unknown = held.trouble(frame).is_none() && !self.locals.contains_key(&place);
+        let unknown = held.trouble(frame).is_none() && !self.details.contains_key(&place);
         if unknown && self.asked.replace(place) != Some(place) {
-            self.desk.plan().locals = Some(place);
+            self.desk.plan().details = Some(place);
             self.desk.wake();
         }
-        self.locals.get(&(motion, frame))?.as_deref()
+        self.known_details(motion, frame)
     }
 
     /// The same, as far as it is known, without asking.
-    pub fn known_locals(&self, motion: usize, frame: usize) -> Option<&[LocalAnswer]> {
-        self.locals.get(&(motion, frame))?.as_deref()
+    pub fn known_details(&self, motion: usize, frame: usize) -> Option<&Details> {
+        self.details.get(&(motion, frame))?.as_ref()
     }
 }
 

@@ -18,7 +18,7 @@ pub(super) enum State {
     /// It is a single one that fails.
     Bad {
         failure: Arc<Failure>,
-        /// Whether it was looked for the joint at which it does.
+        /// Whether it was looked for the place at which it does.
         narrowed: bool,
     },
 }

@@ -10,6 +10,7 @@ use exam::Failure;
 
 use super::pieces::{Pieces, State};
 use super::window::{AHEAD, Window};
+use crate::live::mover::Mover;
 use crate::motion::stage::Stage;
 
 /// About how many joints are asked for at once: few enough for an answer without a wait that one would notice.
@@ -26,12 +27,13 @@ const MOST_COSTLY_FRAMES: usize = 6;
 
 /// What one version of the student's functions has been asked, and what it is wanted for.
 pub(super) struct Plan {
+    pub(super) mover: Mover,
     /// The version that this is about.
     pub(super) version: u64,
     pub(super) motions: Vec<MotionPlan>,
     pub(super) graded: bool,
-    /// Motion and frame whose local rotations are wanted.
-    pub(super) locals: Option<(usize, usize)>,
+    /// Motion and frame of which details are wanted.
+    pub(super) details: Option<(usize, usize)>,
     panics: usize,
     costly: usize,
     costly_frames: usize,
@@ -56,10 +58,10 @@ pub(super) struct MotionPlan {
 pub(super) enum Task {
     /// The poses of some frames. `on_show` says that the only one is on show.
     Frames { at: Motion, frames: Range<usize>, on_show: bool },
-    /// The joint at which a frame fails.
-    Joint { at: Motion, frame: usize, failure: Arc<Failure> },
-    /// The local rotations of a frame.
-    Locals { at: Motion, frame: usize },
+    /// The place at which a frame fails.
+    Place { at: Motion, frame: usize, failure: Arc<Failure> },
+    /// What single parts answer about a frame.
+    Details { at: Motion, frame: usize },
     /// The questions for points.
     Grade,
 }
@@ -74,16 +76,25 @@ pub(super) struct Motion {
 }
 
 impl Plan {
-    pub(super) fn new(stages: Vec<Arc<Stage>>, most_batches: impl Fn(usize) -> usize) -> Plan {
+    pub(super) fn new(mover: Mover, stages: Vec<Arc<Stage>>, most_batches: impl Fn(usize) -> usize) -> Plan {
         let most_batches = most_batches(stages.len());
-        let motions = stages.into_iter().map(|stage| MotionPlan::new(stage, 0, most_batches)).collect();
-        Plan { version: 0, motions, graded: false, locals: None, panics: 0, costly: 0, costly_frames: 0 }
+        let motion = |stage| MotionPlan::new(mover, stage, 0, most_batches);
+        Plan {
+            mover,
+            version: 0,
+            motions: stages.into_iter().map(motion).collect(),
+            graded: false,
+            details: None,
+            panics: 0,
+            costly: 0,
+            costly_frames: 0,
+        }
     }
 
     /// Begins anew for the next version.
     pub(super) fn begin(&mut self) {
         self.version += 1;
-        (self.graded, self.locals) = (false, None);
+        (self.graded, self.details) = (false, None);
         (self.panics, self.costly, self.costly_frames) = (0, 0, 0);
         self.motions.iter_mut().for_each(MotionPlan::begin);
     }
@@ -92,8 +103,8 @@ impl Plan {
     /// time for what they print.
     pub(super) fn next(&self, talkative: bool) -> Option<Task> {
         self.urgent(talkative).or_else(|| {
-            if let Some((index, frame)) = self.locals.filter(|_| !self.has_given_up()) {
-                return self.at(index).map(|at| Task::Locals { at, frame });
+            if let Some((index, frame)) = self.details.filter(|_| !self.has_given_up()) {
+                return self.at(index).map(|at| Task::Details { at, frame });
             }
             if !self.graded {
                 return Some(Task::Grade);
@@ -125,7 +136,7 @@ impl Plan {
             }
             State::Settled | State::Bad { narrowed: true, .. } => None,
             State::Bad { failure, .. } => {
-                Some(Task::Joint { at, frame: motion.shown, failure: Arc::clone(failure) })
+                Some(Task::Place { at, frame: motion.shown, failure: Arc::clone(failure) })
             }
             State::Fresh if motion.warm && !self.is_tired() => {
                 Some(Task::Frames { at, frames, on_show: false })
@@ -207,14 +218,14 @@ impl Plan {
         self.panics += usize::from(!costly && single);
     }
 
-    /// Part 1 by itself has failed for a frame.
+    /// Asked by itself, a part has failed for a frame.
     pub(super) fn count(&mut self, failure: &Failure) {
         let costly = usize::from(!matches!(failure, Failure::Panicked { .. }));
         self.costly += costly;
         self.costly_frames += costly;
     }
 
-    /// It was looked for the joint at which the frame fails.
+    /// It was looked for the place at which the frame fails.
     pub(super) fn narrowed(&mut self, at: &Motion, frame: usize, failure: Arc<Failure>) {
         if let Some(motion) = self.motion(at) {
             motion.pieces.set(frame..frame + 1, State::Bad { failure, narrowed: true });
@@ -229,8 +240,8 @@ impl Plan {
 }
 
 impl MotionPlan {
-    pub(super) fn new(stage: Arc<Stage>, reading: u64, most_batches: usize) -> MotionPlan {
-        let batch_size = (JOINTS_PER_BATCH / stage.motion().skeleton().len().max(1)).max(1);
+    pub(super) fn new(mover: Mover, stage: Arc<Stage>, reading: u64, most_batches: usize) -> MotionPlan {
+        let batch_size = (JOINTS_PER_BATCH / mover.frame_size(&stage)).max(1);
         let window = Window::new(stage.frame_count(), batch_size, most_batches);
         let mut motion = MotionPlan {
             stage,

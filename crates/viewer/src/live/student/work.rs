@@ -6,16 +6,16 @@ use std::sync::mpsc::Sender;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::Duration;
 
-use exam::fk::{LocalAnswer, PosedFrame};
 use exam::{Answer, Failure, Question, Subject};
 
 use super::News;
 use super::ask::{self, FRAME_LIMIT, PATIENCE};
 use super::narrow::{self, Place};
 use super::plan::{Motion, Plan, Task};
+use super::posed::{Details, Posed};
 use crate::live::board::Board;
 use crate::live::lock;
-use crate::live::package::Package;
+use crate::live::mover::Mover;
 use crate::live::version::Version;
 use crate::live::worker::Trouble;
 
@@ -30,15 +30,16 @@ pub(super) enum Event {
     Failed(Arc<Trouble>),
     /// No more frames are asked: this is why.
     GivenUp(Arc<Trouble>),
-    Frames(Motion, usize, Vec<PosedFrame>),
+    Frames(Motion, usize, Vec<Posed>),
     Trouble(Motion, usize, Arc<Trouble>),
-    Locals(Motion, usize, Option<Vec<LocalAnswer>>),
+    Details(Motion, usize, Option<Details>),
     Grading,
     Graded(Arc<Board>),
 }
 
 /// All that the thread of a version needs.
 pub(super) struct Work {
+    pub(super) mover: Mover,
     pub(super) number: u64,
     pub(super) version: Version,
     /// The version before, whose last acts are still to be done.
@@ -80,9 +81,9 @@ impl Desk {
         while plan.version == number && !version.is_abandoned() {
             if let Some(task) = plan.next(version.is_talkative()) {
                 match task {
-                    Task::Locals { .. } => plan.locals = None,
+                    Task::Details { .. } => plan.details = None,
                     Task::Grade => plan.graded = true,
-                    Task::Frames { .. } | Task::Joint { .. } => {}
+                    Task::Frames { .. } | Task::Place { .. } => {}
                 }
                 return Some(task);
             }
@@ -124,20 +125,19 @@ impl Work {
         self.version.hush(!matches!(task, Task::Frames { on_show: true, .. }));
         match task {
             Task::Frames { at, frames, on_show } => self.frames(at, frames, on_show, subject)?,
-            Task::Joint { at, frame, failure } => self.joint(at, frame, failure, subject),
-            Task::Locals { at, frame } => {
-                let joints = at.stage.motion().skeleton().joints();
-                let angles = at.stage.frame(frame).angles;
-                let locals = ask::locals(subject, joints, angles, FRAME_LIMIT);
-                if let Err(failure) = &locals {
+            Task::Place { at, frame, failure } => self.place(at, frame, failure, subject),
+            Task::Details { at, frame } => {
+                let details = ask::details(self.mover, subject, &at.stage, frame, FRAME_LIMIT);
+                if let Err(failure) = &details {
                     self.check(failure)?;
                     self.desk.plan().count(failure);
                 }
-                self.send(Event::Locals(at, frame, locals.ok()));
+                self.send(Event::Details(at, frame, details.ok()));
             }
             Task::Grade => {
                 self.send(Event::Grading);
-                let board = Arc::new(Board::of(&mut Attentive { subject, work: self }, Package::Fk));
+                let package = self.mover.package();
+                let board = Arc::new(Board::of(&mut Attentive { subject, work: self }, package));
                 self.send(Event::Graded(Arc::clone(&board)));
                 self.tell(News::Board(board));
             }
@@ -157,8 +157,7 @@ impl Work {
         }
         let patient = frames.len() > 1 && !self.desk.plan().is_wary();
         let limit = if patient { PATIENCE } else { FRAME_LIMIT };
-        let asked = frames.clone().map(|index| at.stage.frame(index)).collect();
-        match ask::poses(subject, &at.stage, asked, limit) {
+        match ask::poses(self.mover, subject, &at.stage, frames.clone(), limit) {
             Ok(poses) => {
                 self.desk.plan().settle(&at, frames.clone());
                 self.send(Event::Frames(at, frames.start, poses));
@@ -178,10 +177,10 @@ impl Work {
         Ok(())
     }
 
-    fn joint(&mut self, at: Motion, frame: usize, failure: Arc<Failure>, subject: &mut impl Subject) {
-        let place = narrow::find(subject, &at.stage, frame, &failure);
-        if place.joint.is_none()
-            && let Ok(poses) = ask::poses(subject, &at.stage, vec![at.stage.frame(frame)], FRAME_LIMIT)
+    fn place(&mut self, at: Motion, frame: usize, failure: Arc<Failure>, subject: &mut impl Subject) {
+        let place = narrow::find(self.mover, subject, &at.stage, frame, &failure);
+        if place == Place::default()
+            && let Ok(poses) = ask::poses(self.mover, subject, &at.stage, frame..frame + 1, FRAME_LIMIT)
         {
             // It comes back after all: the machine was busy with something else, or the functions are moody.
             self.desk.plan().settle(&at, frame..frame + 1);
@@ -214,7 +213,7 @@ impl Work {
 
     /// Sends what is known about a frame that fails.
     fn show(&mut self, at: Motion, frame: usize, failure: &Failure, place: Place) -> Arc<Trouble> {
-        let trouble = Arc::new(narrow::trouble(&at.stage, frame, failure, place));
+        let trouble = Arc::new(narrow::trouble(self.mover, frame, failure, place));
         self.send(Event::Trouble(at, frame, Arc::clone(&trouble)));
         if self.desk.plan().has_given_up() {
             let headline = trouble.headline.clone();

@@ -1,6 +1,7 @@
 //! From a pose to the figure that is drawn.
 
 use glam::{Quat, Vec3};
+use skeleton::acclaim::BonePlace;
 use skeleton::{Joint, Pose, Skeleton};
 
 use super::Stage;
@@ -20,6 +21,8 @@ pub struct Wanted<'a> {
     pub judged: bool,
     /// The joint to look at.
     pub selected: Option<usize>,
+    /// Where the bones start and end for which the joints stand; nothing for one that is not to be drawn.
+    pub places: Option<&'a [Option<BonePlace>]>,
 }
 
 impl Stage {
@@ -53,14 +56,16 @@ impl Stage {
             figure.joints.push(Dot { place, off: Off::by(place.distance(right) / self.size), selected });
             if let Some(parent) = joint.parent {
                 let side = self.sides[joint.id.0];
-                let from = self.place(pose[parent].position);
+                let (from, to) =
+                    self.bone(wanted, parent.0).unwrap_or((pose[parent].position, transform.position));
+                let (from, to) = (self.place(from), self.place(to));
                 let own = self.radii[joint.id.0];
                 let radius = wanted.expected.map_or(own, |expected| {
                     let right = expected[joint.id].position.distance(expected[parent].position);
-                    body::misplaced(own, right, from.distance(place))
+                    body::misplaced(own, right, from.distance(to))
                 });
                 let joints = (parent.0, joint.id.0);
-                figure.bones.push(Bone { from, to: place, side, radius, joints });
+                figure.bones.push(Bone { from, to, side, radius, joints });
             }
             if wanted.axes && !joint.is_end_site {
                 // A bone turns about axes of its own.
@@ -71,6 +76,16 @@ impl Stage {
                 figure.axes.push(Axes { origin: place, rotation, length, lettered });
             }
         }
+    }
+}
+
+impl Stage {
+    /// From where to where the bone leads that starts at `joint` (from 0): a student's bones need not start where their parents
+    /// end, and need not be all there. `None` where joints stand for no bones.
+    fn bone(&self, wanted: &Wanted, joint: usize) -> Option<(Vec3, Vec3)> {
+        let (places, bones) = (wanted.places?, self.bones.as_ref()?);
+        let place = places.get(bones.of_joint(joint).0).copied().flatten();
+        Some(place.map_or((Vec3::NAN, Vec3::NAN), |place| (place.start, place.end)))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The frames of a motion, and where joints are in them.
 
+use skeleton::acclaim::{Between, BonePlace, Posture};
 use skeleton::{Frame, Pose, pose_frame};
 
 use super::Stage;
@@ -36,5 +37,50 @@ impl Stage {
     pub fn read_reference(&self, index: usize, frame: &mut Frame, pose: &mut Pose) {
         self.read_frame(index, frame);
         pose_frame(self.motion.skeleton(), frame, &solutions::FK, pose);
+    }
+
+    /// Frame `index` (from 0) as functions that move bones get it. Behind the last frame it is the rest pose, and so is
+    /// every frame of a motion without bones.
+    pub fn posture(&self, index: usize) -> Posture {
+        let mut posture = Posture::default();
+        self.read_posture(index, &mut posture);
+        posture
+    }
+
+    /// The same, into `posture`, whose memory is used again.
+    pub fn read_posture(&self, index: usize, posture: &mut Posture) {
+        let Some(bones) = &self.bones else { return };
+        let motion = bones.motion();
+        match &self.warp {
+            None => motion.read_posture(index, posture),
+            Some(warp) if index >= warp.frame_count() => motion.read_posture(motion.frame_count(), posture),
+            Some(warp) => {
+                let Between { before, after, t } = warp.place(index);
+                motion.read_posture(before, posture);
+                if before != after && t != 0.0 {
+                    *posture = (solutions::TIME_WARP.blend)(posture, &motion.posture(after), t);
+                }
+            }
+        }
+    }
+
+    /// Where the joints are in frame `index` (from 0) if everything is right in the exercise on bones. `frame`, `posture` and
+    /// `places` are memory that is used again.
+    ///
+    /// The exercise turns all bones by Rz Ry Rx, and so does this: its right solution agrees with it in every file. That is
+    /// the [reference](Stage::reference), too, but where a file lists degrees of freedom in another order or a warped frame
+    /// lies between two others.
+    pub fn read_reference_of_bones(
+        &self,
+        index: usize,
+        (frame, posture): (&mut Frame, &mut Posture),
+        places: &mut Vec<Option<BonePlace>>,
+        pose: &mut Pose,
+    ) {
+        let Some(bones) = &self.bones else { return self.read_reference(index, frame, pose) };
+        self.read_frame(index, frame);
+        self.read_posture(index, posture);
+        bones.read_reference(posture, places);
+        bones.pose(places, pose);
     }
 }

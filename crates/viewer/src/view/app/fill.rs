@@ -5,12 +5,14 @@ use grading::PartState;
 use skeleton::Pose;
 
 use super::aim::Aim;
-use super::{App, Shown};
+use super::{App, Memory, Shown};
 use crate::camera::Camera;
 use crate::draw::ruler;
-use crate::motion::stage::Wanted;
+use crate::live::board::Board;
+use crate::live::mover::Mover;
+use crate::motion::stage::{Stage, Wanted};
 use crate::scene::{Figure, Look, Mark, Off, ScaleBar, Scene, Timeline, Tint, Trail};
-use crate::view::texts::{self, Facts};
+use crate::view::texts::{self, Facts, OfBones};
 
 /// How long a trace is: seconds of the motion, and points in it.
 const TRACE_SECONDS: f64 = 2.0;
@@ -28,11 +30,16 @@ impl App {
     pub fn fill(&mut self, scene: &mut Scene, shown: Shown, size: (usize, usize)) {
         let mut memory = std::mem::take(&mut self.memory);
         let frame = self.frame();
-        self.stage.read_reference(frame, &mut memory.frame, &mut memory.reference);
-        let anchor = self.stage.anchor_of(&memory.reference);
         let edited = self.edited().cloned();
         // Of an edited motion both figures are the reference's.
         let shown = if edited.is_some() { Shown::Reference } else { shown };
+        let mover = match shown {
+            Shown::Reference => None,
+            Shown::Student(answers) => Some(answers.mover()),
+        };
+        let of_bones = mover.map_or(self.settings.bones && edited.is_none(), Mover::needs_bones);
+        memory.read_reference(&self.stage, frame, of_bones);
+        let anchor = self.stage.anchor_of(&memory.reference);
         let interpolated = edited.as_ref().and_then(|edited| edited.pose(frame));
         let posed = match shown {
             Shown::Reference => None,
@@ -42,7 +49,7 @@ impl App {
             &memory.reference,
             (posed.map(|posed| &posed.pose), interpolated),
             anchor,
-            &mut memory.places,
+            &mut memory.points,
             size,
         );
 
@@ -63,11 +70,14 @@ impl App {
             Shown::Reference => None,
             Shown::Student(answers) => Some(answers.standing(frame)),
         };
-        // Before the last part is begun no joint can be where it belongs: nothing is wrong yet.
+        // Before what puts joints in their places is begun none can be where it belongs: nothing is wrong yet.
         let board =
             standing.as_ref().and_then(|standing| standing.board.as_ref().or(standing.former.as_ref()));
-        let judged =
-            board.is_some_and(|board| board.rows.last().is_none_or(|row| row.state != PartState::NotStarted));
+        let begun = |board: &Board, part: usize| {
+            board.rows.get(part).is_none_or(|row| row.state != PartState::NotStarted)
+        };
+        let placing = mover.map_or(&[][..], Mover::placing_parts);
+        let judged = board.is_some_and(|board| placing.iter().all(|part| begun(board, *part)));
         let solid = match shown {
             Shown::Reference => Some(interpolated.unwrap_or(&memory.reference)),
             Shown::Student(_) => posed.map(|posed| &posed.pose),
@@ -93,6 +103,7 @@ impl App {
                 expected: standing.as_ref().map(|_| &memory.reference),
                 judged,
                 selected: self.selected,
+                places: posed.and_then(|posed| posed.places()),
             };
             stage.fill(scene.figures.add(), pose, &wanted);
         }
@@ -120,6 +131,11 @@ impl App {
                 reference: &memory.reference,
                 angles: &memory.frame.angles,
                 local_positions: &memory.frame.local_positions,
+                bones: stage.bones().filter(|_| of_bones && self.selected.is_some()).map(|bones| OfBones {
+                    bones,
+                    posture: &memory.posture,
+                    expected: &memory.places,
+                }),
                 worst,
                 edited: edited.as_deref(),
                 outside: solid.map_or(0, |pose| outside(stage.places(pose), &scene.camera, size)),
@@ -223,6 +239,17 @@ impl App {
     }
 }
 
+impl Memory {
+    /// Reads where the joints are in frame `index` if everything is right, in the exercise on bones or otherwise.
+    fn read_reference(&mut self, stage: &Stage, index: usize, of_bones: bool) {
+        let Memory { frame, reference, posture, places, .. } = self;
+        match of_bones {
+            true => stage.read_reference_of_bones(index, (frame, posture), places, reference),
+            false => stage.read_reference(index, frame, reference),
+        }
+    }
+}
+
 /// Adds a point, if it is one.
 fn extend(trail: &mut Trail, place: Vec3) {
     if place.is_finite() {
@@ -230,9 +257,10 @@ fn extend(trail: &mut Trail, place: Vec3) {
     }
 }
 
-/// How far the joint that is farthest off is off.
+/// How far the joint that is farthest off is off, of those that are drawn.
 fn worst(figure: &Figure) -> Off {
-    figure.joints.iter().map(|dot| dot.off).max().unwrap_or(Off::Right)
+    let drawn = figure.joints.iter().filter(|dot| dot.place.is_finite());
+    drawn.map(|dot| dot.off).max().unwrap_or(Off::Right)
 }
 
 /// A length to compare with, where one fits.

@@ -12,6 +12,7 @@ mod tests;
 use std::sync::Arc;
 
 use glam::Vec3;
+use skeleton::acclaim::{BonePlace, Posture};
 use skeleton::{Frame, Joint, Pose};
 
 use crate::camera::Camera;
@@ -43,6 +44,8 @@ pub struct Settings {
     pub ghost: bool,
     /// Whether joints have axes.
     pub axes: bool,
+    /// Whether the exercise is about the bones for which the joints stand, where they stand for any.
+    pub bones: bool,
     /// Whether the tips of the figure leave traces.
     pub traces: bool,
     /// Whether the camera moves along with the figure.
@@ -67,6 +70,7 @@ impl Default for Settings {
             style: Style::Lit,
             ghost: true,
             axes: true,
+            bones: false,
             traces: true,
             follow: true,
             points: true,
@@ -110,7 +114,10 @@ struct Memory {
     reference: Pose,
     past_frame: Frame,
     past: Pose,
-    places: Vec<Vec3>,
+    points: Vec<Vec3>,
+    /// Of the bones, where the exercise is about these: the frame, and where they are if everything is right.
+    posture: Posture,
+    places: Vec<Option<BonePlace>>,
 }
 
 impl App {

@@ -18,9 +18,10 @@ impl EditSettings {
     pub fn for_exercise(package: Package) -> EditSettings {
         let edit = EditSettings::default();
         match package {
-            Package::Fk => edit,
             Package::Interpolation => EditSettings { stretch: Some(edit.representation), ..edit },
             Package::Keyframes => EditSettings { automatic: true, errors: true, ..edit },
+            // Those that pose figures have no part in it.
+            _ => edit,
         }
     }
 }

@@ -1,13 +1,12 @@
 //! Everything about the joint that the user looks at.
 
-use grading::PartState;
 use skeleton::JointId;
 
 use super::Facts;
 use super::number::{Rounded, Row, digits_for};
 use crate::scene::{Line, Off, Panel};
 use crate::view::app::Shown;
-use crate::view::blame::{Blame, Case, angles_of, blame, right_local};
+use crate::view::blame::joint::{Blame, Case, angles_of, blame, right_local};
 
 pub fn write(facts: &Facts, panel: &mut Panel) {
     let Some(id) = facts.app.selected().map(JointId) else { return };
@@ -98,17 +97,10 @@ fn verdict(facts: &Facts, joint: JointId, panel: &mut Panel) {
     };
     match blame(&case, joint) {
         Blame::Nobody => panel.add(Line::Right, "right"),
-        Blame::Own(parts) => {
-            let board = facts.standing.and_then(|standing| standing.board.as_ref());
-            let begun = |part: usize| {
-                let row = board.and_then(|board| board.rows.get(part));
-                row.is_none_or(|row| row.state != PartState::NotStarted)
-            };
-            match [0, 1, 2].map(|part| parts[part] && begun(part)) {
-                [false, false, false] => panel.add(Line::Quiet, "not right yet: not all parts are started"),
-                begun => panel.add(Line::Trouble, own(begun)),
-            }
-        }
+        Blame::Own(parts) => match [0, 1, 2].map(|part| parts[part] && facts.is_begun(part)) {
+            [false, false, false] => panel.add(Line::Quiet, "not right yet: not all parts are started"),
+            begun => panel.add(Line::Trouble, own(begun)),
+        },
         Blame::RotationOf => {
             panel.add(Line::Trouble, "part 1 or part 2 is to blame: asking part 1 by itself…")
         }

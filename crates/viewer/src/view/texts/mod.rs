@@ -1,5 +1,7 @@
 //! The words in the picture: what is shown, what is wrong, what the colours mean, what the keys do.
 
+mod bone;
+mod bones;
 mod edit;
 mod joint;
 mod legend;
@@ -10,16 +12,19 @@ mod state;
 
 use std::fmt::Write;
 
-use exam::fk::{LocalAnswer, PosedFrame};
+use exam::fk::LocalAnswer;
 use glam::Vec3;
+use grading::PartState;
 use skeleton::Pose;
 
 use crate::edit::Edited;
-use crate::live::student::Standing;
+use crate::live::mover::Mover;
+use crate::live::student::{Details, Posed, Standing};
 use crate::scene::{Corner, Line, Off, Panel, Pool};
 use crate::view::app::{App, Shown};
 use crate::window::keys;
 
+pub use bone::OfBones;
 use number::Rounded;
 
 /// What the words are about.
@@ -29,7 +34,7 @@ pub struct Facts<'a> {
     /// How things stand with the student's functions, when they are shown.
     pub standing: Option<&'a Standing>,
     /// What they made of the frame.
-    pub posed: Option<&'a PosedFrame>,
+    pub posed: Option<&'a Posed>,
     /// The figure to look at, when there is one.
     pub solid: Option<&'a Pose>,
     /// The right pose.
@@ -37,6 +42,8 @@ pub struct Facts<'a> {
     /// The frame's angles, in degrees, and positions relative to the parents.
     pub angles: &'a [f32],
     pub local_positions: &'a [Vec3],
+    /// The bones of the frame, where the exercise is about these and one of them is to be explained.
+    pub bones: Option<OfBones<'a>>,
     /// How far the joint that is farthest off is off.
     pub worst: Off,
     /// How many joints the picture does not show.
@@ -48,10 +55,33 @@ pub struct Facts<'a> {
 }
 
 impl Facts<'_> {
+    /// What single parts of the student's made of this frame, where it is known.
+    fn details(&self) -> Option<&Details> {
+        let Shown::Student(answers) = self.shown else { return None };
+        answers.details(self.app.frame()).filter(|_| self.standing.is_some_and(|standing| standing.current))
+    }
+
     /// What the student's part 1 made of every joint in this frame, where it is known.
     fn student_locals(&self) -> Option<&[LocalAnswer]> {
-        let Shown::Student(answers) = self.shown else { return None };
-        answers.locals(self.app.frame()).filter(|_| self.standing.is_some_and(|standing| standing.current))
+        match self.details()? {
+            Details::Locals(locals) => Some(locals),
+            Details::Visits(_) => None,
+        }
+    }
+
+    /// Whether the student has begun a part (from 0), as far as is known.
+    fn is_begun(&self, part: usize) -> bool {
+        let board = self.standing.and_then(|standing| standing.board.as_ref());
+        let row = board.and_then(|board| board.rows.get(part));
+        row.is_none_or(|row| row.state != PartState::NotStarted)
+    }
+
+    /// Whether what is shown is what the exercise on bones makes of the motion.
+    fn is_of_bones(&self) -> bool {
+        match self.shown {
+            Shown::Student(answers) => answers.mover() == Mover::Acclaim,
+            Shown::Reference => self.app.settings.bones && self.edited.is_none(),
+        }
     }
 
     /// How things stand with the student's functions, whatever they do.
@@ -103,7 +133,11 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
         points::write(facts, begin(panels, corner));
     }
     if facts.app.selected().is_some() && room {
-        joint::write(facts, begin(panels, Corner::TopRight));
+        let panel = begin(panels, Corner::TopRight);
+        match facts.bones {
+            Some(bones) => bone::write(facts, bones, panel),
+            None => joint::write(facts, panel),
+        }
     }
     if roomy {
         legend::write(facts, begin(panels, Corner::BottomLeft));

@@ -52,7 +52,7 @@ pub fn has_told_all(facts: &Facts) -> bool {
 fn hint(package: Package) -> &'static str {
     match package {
         Package::Keyframes => "press k: your functions choose the keyframes",
-        Package::Fk | Package::Interpolation => "press i: your functions make the frames between",
+        _ => "press i: your functions make the frames between",
     }
 }
 

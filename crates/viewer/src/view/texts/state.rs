@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use super::Facts;
 use super::number::Rounded;
-use crate::live::student::Status;
+use super::{Facts, bones};
+use crate::live::student::{Extra, Posed, Status};
 use crate::motion::upright::Up;
 use crate::scene::{Line, Panel};
 use crate::view::app::Shown;
@@ -37,7 +37,12 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
     }
     functions(facts, panel);
     undrawn(facts, panel);
-    angles(facts, panel);
+    match facts.posed.filter(|_| facts.standing.is_none_or(|standing| standing.current)) {
+        Some(Posed { extra: Extra::Angles { taken, available }, .. }) => angles(*taken, *available, panel),
+        Some(Posed { extra: Extra::Bones(places), .. }) => bones::visited(facts, places, panel),
+        None => {}
+    }
+    bones::in_other_orders(facts, panel);
 }
 
 fn frame(facts: &Facts, panel: &mut Panel) {
@@ -115,9 +120,7 @@ fn undrawn(facts: &Facts, panel: &mut Panel) {
         Shown::Reference => "the",
         Shown::Student(_) => "your",
     };
-    let places = pose.transforms().iter().map(|transform| transform.position);
     let (joints, outside) = (pose.len(), facts.outside);
-    let lost = places.filter(|place: &Vec3| !place.is_finite()).count();
     if outside > 0 {
         panel.add(
             Line::Trouble,
@@ -126,21 +129,27 @@ fn undrawn(facts: &Facts, panel: &mut Panel) {
             ),
         );
     }
+    let (lost, of, what) = match facts.posed.and_then(|posed| posed.places()) {
+        Some(places) => {
+            let (lost, visited) = bones::lost(places);
+            (lost, visited, "bones")
+        }
+        None => {
+            let places = pose.transforms().iter().map(|transform| transform.position);
+            (places.filter(|place: &Vec3| !place.is_finite()).count(), joints, "joints")
+        }
+    };
     if lost > 0 {
         panel.add(
             Line::Trouble,
-            format_args!("NaN or infinity as the place of {lost} of {whose} {joints} joints: not drawn"),
+            format_args!("NaN or infinity as the place of {lost} of {whose} {of} {what}: not drawn"),
         );
     }
 }
 
 /// Whether the student's functions take the right number of angles.
-fn angles(facts: &Facts, panel: &mut Panel) {
-    let Some(posed) = facts.posed else { return };
-    if facts.standing.is_some_and(|standing| !standing.current) {
-        return;
-    }
-    match (posed.taken, posed.available) {
+fn angles(taken: usize, available: usize, panel: &mut Panel) {
+    match (taken, available) {
         (0, 1..) => panel.add(Line::Text, "part 1 takes no angles of the frame yet"),
         (taken, available) if taken != available => panel.add(
             Line::Trouble,

@@ -15,7 +15,7 @@ fn a_panic_is_told_with_its_joint_frame_and_part_and_other_frames_are_shown() {
     let functions = FkFunctions { global_position: panics, ..solutions::FK };
     let (sender, news) = mpsc::channel();
     let open = move |_: &Version| Ok(InProcess(Functions::Fk(functions)));
-    let mut student = Student::start(vec![stage(400)], open, move |news| drop(sender.send(news)));
+    let mut student = Student::start(Mover::Fk, vec![stage(400)], open, move |news| drop(sender.send(news)));
     for frame in (0..400).filter(|frame| *frame != 118) {
         update_until(&mut student, &[5], is_current(0, frame));
     }
@@ -46,7 +46,7 @@ fn looping(is_bad: fn(usize) -> bool) -> Scripted {
 #[test]
 fn an_endless_loop_is_told_with_its_joint_and_frame_and_other_frames_are_shown() {
     let subject = looping(|frame| frame == 31);
-    let mut student = Student::start(vec![stage(400)], move |_| Ok(subject.clone()), quiet);
+    let mut student = Student::start(Mover::Fk, vec![stage(400)], move |_| Ok(subject.clone()), quiet);
     for frame in [30, 32, 0, 399] {
         update_until(&mut student, &[30], is_current(0, frame));
     }
@@ -61,7 +61,7 @@ fn an_endless_loop_is_told_with_its_joint_and_frame_and_other_frames_are_shown()
 fn code_that_loops_everywhere_is_not_asked_without_end() {
     let subject = looping(|_| true);
     let questions = Arc::clone(&subject.questions);
-    let mut student = Student::start(vec![stage(40_000)], move |_| Ok(subject.clone()), quiet);
+    let mut student = Student::start(Mover::Fk, vec![stage(40_000)], move |_| Ok(subject.clone()), quiet);
     for frame in 0..2000 {
         update_until(&mut student, &[frame], |student| trouble(student, 0, frame).is_some());
     }
@@ -95,7 +95,7 @@ fn a_joint_that_is_another_each_time_is_not_told() {
     // The frame, the search's proof that it fails, which fails to fail, and the last try.
     let open = |_: &Version| Ok(Moody { asked: 0, is_bad: |asked| asked != 2 });
     let (sender, news) = mpsc::channel();
-    let mut student = Student::start(vec![stage(1)], open, move |news| drop(sender.send(news)));
+    let mut student = Student::start(Mover::Fk, vec![stage(1)], open, move |news| drop(sender.send(news)));
     update_until(&mut student, &[0], |student| trouble(student, 0, 0).is_some());
     let Some(News::Trouble(told)) = news.iter().find(|news| matches!(news, News::Trouble(_))) else {
         panic!()
@@ -106,7 +106,7 @@ fn a_joint_that_is_another_each_time_is_not_told() {
 #[test]
 fn a_frame_that_is_answered_after_all_is_shown() {
     let open = |_: &Version| Ok(Moody { asked: 0, is_bad: |asked| asked == 1 });
-    let mut student = Student::start(vec![stage(1)], open, quiet);
+    let mut student = Student::start(Mover::Fk, vec![stage(1)], open, quiet);
     update_until(&mut student, &[0], is_current(0, 0));
     assert_eq!(student.standing(0, 0).status, Status::Answered);
 }
@@ -119,7 +119,7 @@ fn after_the_viewer_has_gone_nothing_is_built() {
         count.fetch_add(1, Ordering::SeqCst);
         Ok(solution())
     };
-    let mut student = Student::start(vec![stage(5)], open, quiet);
+    let mut student = Student::start(Mover::Fk, vec![stage(5)], open, quiet);
     update_until(&mut student, &[0], is_current(0, 0));
     let rebuilder = student.rebuilder();
     assert!(rebuilder.rebuild());

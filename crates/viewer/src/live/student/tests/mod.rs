@@ -98,7 +98,7 @@ fn height(student: &Student, frame: usize) -> f32 {
 #[test]
 fn the_answers_are_those_of_the_functions_for_every_frame_of_every_motion() {
     let stages = vec![stage(20_000), stage(1), stage(0), stage(3_000)];
-    let mut student = Student::start(stages.clone(), |_| Ok(solution()), quiet);
+    let mut student = Student::start(Mover::Fk, stages.clone(), |_| Ok(solution()), quiet);
     let shown = [19_999, 0, 0, 17];
     // Nothing but one frame is ever shown: all others are asked by themselves.
     for (motion, stage) in stages.iter().enumerate() {
@@ -113,7 +113,7 @@ fn the_answers_are_those_of_the_functions_for_every_frame_of_every_motion() {
 #[test]
 fn a_motion_without_end_is_kept_in_part_and_what_is_shown_is_always_asked() {
     let stage = stage(1600 * (MOST_BATCHES + 80));
-    let mut student = Student::start(vec![Arc::clone(&stage)], |_| Ok(solution()), quiet);
+    let mut student = Student::start(Mover::Fk, vec![Arc::clone(&stage)], |_| Ok(solution()), quiet);
     for frame in [0, stage.frame_count() / 2, stage.frame_count() - 1, 0] {
         update_until(&mut student, &[frame], is_current(0, frame));
         let full = |student: &Student| student.held[0].batch_count() == MOST_BATCHES;
@@ -134,7 +134,7 @@ fn a_new_version_takes_over_frame_by_frame_and_the_old_poses_stay_until_then() {
         }
         Ok(lifted(version))
     };
-    let mut student = Student::start(vec![stage(50)], open, quiet);
+    let mut student = Student::start(Mover::Fk, vec![stage(50)], open, quiet);
     update_until(&mut student, &[7], is_current(0, 7));
     let first = height(&student, 7);
     student.rebuild();
@@ -158,7 +158,7 @@ fn what_an_abandoned_version_finds_out_is_not_looked_at() {
         held.recv().unwrap();
         Ok(lifted(100.0 * number as f32))
     };
-    let mut student = Student::start(vec![stage(3)], open, quiet);
+    let mut student = Student::start(Mover::Fk, vec![stage(3)], open, quiet);
     update_until(&mut student, &[0], |_| opened.load(Ordering::SeqCst) == 1);
     // While the first is being built there are nine more saves. They come to one more build.
     (0..9).for_each(|_| student.rebuild());
@@ -209,7 +209,7 @@ fn an_answer_that_comes_after_the_next_save_does_not_take_its_place() {
             }
             Ok(Late { functions: lifted(height), may, said: said.clone() })
         };
-        let mut student = Student::start(vec![stage(3)], open, quiet);
+        let mut student = Student::start(Mover::Fk, vec![stage(3)], open, quiet);
         first.recv().unwrap();
         student.rebuild();
         let is_graded = |student: &Student| student.standing(0, 0).board.is_some();
@@ -238,7 +238,7 @@ fn a_version_that_does_not_compile_is_told_and_the_last_good_pose_stays() {
     let (sender, news) = mpsc::channel();
     let mut results = vec![Err(told.clone()), Ok(solution())];
     let open = move |_: &Version| results.pop().unwrap();
-    let mut student = Student::start(vec![stage(10)], open, move |news| drop(sender.send(news)));
+    let mut student = Student::start(Mover::Fk, vec![stage(10)], open, move |news| drop(sender.send(news)));
     assert_eq!(student.standing(0, 3).status, Status::Compiling);
     assert!(!student.standing(0, 3).current);
     update_until(&mut student, &[3], |student| student.standing(0, 3).board.is_some());
@@ -258,7 +258,7 @@ fn the_points_are_those_of_self_grading() {
         InProcess(Functions::Fk(FkFunctions { local_quaternion: |_, _| Quat::IDENTITY, ..solutions::FK }));
     let (sender, news) = mpsc::channel();
     let open = move |_: &Version| Ok(template);
-    let mut student = Student::start(vec![stage(10)], open, move |news| drop(sender.send(news)));
+    let mut student = Student::start(Mover::Fk, vec![stage(10)], open, move |news| drop(sender.send(news)));
     update_until(&mut student, &[0], |student| student.standing(0, 0).board.is_some());
     let standing = student.standing(0, 0);
     let board = standing.board.unwrap();
@@ -292,7 +292,7 @@ fn what_is_printed_about_a_frame_is_heard_when_the_frame_is_shown() {
         wait.recv().unwrap();
         Ok(Talkative(version.voice(writer.try_clone().unwrap())))
     };
-    let mut student = Student::start(vec![stage(3000)], open, quiet);
+    let mut student = Student::start(Mover::Fk, vec![stage(3000)], open, quiet);
     student.update(&[7]);
     go.send(()).unwrap();
     let mut lines = io::BufRead::lines(io::BufReader::new(reader));
@@ -313,7 +313,7 @@ fn a_motion_that_was_read_again_is_asked_again_without_a_build() {
         count.fetch_add(1, Ordering::SeqCst);
         Ok(solution())
     };
-    let mut student = Student::start(vec![stage(5), stage(5)], open, quiet);
+    let mut student = Student::start(Mover::Fk, vec![stage(5), stage(5)], open, quiet);
     update_until(&mut student, &[0, 4], is_current(1, 4));
     let longer = stage(9);
     student.replace_stage(1, Arc::clone(&longer));
@@ -324,17 +324,17 @@ fn a_motion_that_was_read_again_is_asked_again_without_a_build() {
     assert_eq!(builds.load(Ordering::SeqCst), 1);
     // A motion that there is not is no reason to fall over.
     student.replace_stage(2, stage(1));
-    assert!(student.pose(2, 0).is_none() && student.locals(2, 0).is_none());
+    assert!(student.pose(2, 0).is_none() && student.details(2, 0).is_none());
     assert!(!student.standing(2, 0).current);
 }
 
 #[test]
-fn local_rotations_come_when_they_are_wanted() {
-    let mut student = Student::start(vec![stage(5)], |_| Ok(solution()), quiet);
+fn details_come_when_they_are_wanted() {
+    let mut student = Student::start(Mover::Fk, vec![stage(5)], |_| Ok(solution()), quiet);
     let start = Instant::now();
     let locals = loop {
         student.update(&[2]);
-        if let Some(locals) = student.locals(0, 2) {
+        if let Some(Details::Locals(locals)) = student.details(0, 2) {
             break locals.to_vec();
         }
         assert!(start.elapsed() < Duration::from_secs(60));
@@ -350,9 +350,9 @@ fn an_answer_with_joints_missing_is_no_answer() {
     impl Subject for Short {
         fn ask(&mut self, question: &Question, _: Duration) -> Result<Answer, Failure> {
             let Question::Fk(exam::fk::Question::Poses { frames, .. }) = question else { panic!() };
-            let posed = PosedFrame { pose: Pose::identity(1), taken: 0, available: 0 };
+            let posed = exam::fk::PosedFrame { pose: Pose::identity(1), taken: 0, available: 0 };
             Ok(Answer::Fk(exam::fk::Answer::Poses(vec![posed; frames.len()])))
         }
     }
-    assert!(matches!(ask(&mut Short, &stage(1), 0..1), Err(Failure::Unreadable { .. })));
+    assert!(matches!(ask(Mover::Fk, &mut Short, &stage(1), 0..1), Err(Failure::Unreadable { .. })));
 }

@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::*;
+use crate::live::student::{Details, Posed, Standing};
 
 fn staged(motion: skeleton::Motion) -> Arc<Stage> {
     Arc::new(Stage::new(motion, PositionChannels::Replace))
@@ -82,11 +83,15 @@ struct Mixed {
 }
 
 impl Answers for Mixed {
-    fn standing(&self, frame: usize) -> crate::live::student::Standing {
+    fn mover(&self) -> Mover {
+        Mover::Fk
+    }
+
+    fn standing(&self, frame: usize) -> Standing {
         self.newer.standing(frame)
     }
 
-    fn posed(&self, frame: usize) -> Option<&exam::fk::PosedFrame> {
+    fn posed(&self, frame: usize) -> Option<&Posed> {
         self.newer.posed(frame).or_else(|| self.older.posed(frame))
     }
 
@@ -95,7 +100,7 @@ impl Answers for Mixed {
         newer.or_else(|| self.older.posed(frame).map(|_| 1))
     }
 
-    fn locals(&self, _: usize) -> Option<&[exam::fk::LocalAnswer]> {
+    fn details(&self, _: usize) -> Option<&Details> {
         None
     }
 }

@@ -10,6 +10,7 @@ use skeleton::{FkFunctions, PositionChannels};
 
 use super::*;
 use crate::live::board::{Board, BoardRow};
+use crate::live::mover::Mover;
 use crate::live::student::Status;
 use crate::live::worker::Trouble;
 use crate::samples;
@@ -195,15 +196,16 @@ mod selected_joint {
     }
 }
 
-/// What the board says about part 3, and nothing else that matters here.
-fn board(state: grading::PartState) -> Option<Arc<Board>> {
-    let row = BoardRow { id: "part3", title: "global position", points: 0, of: 5, state, named: Vec::new() };
+/// What the board says about the three parts, and nothing else that matters here.
+fn board(states: [grading::PartState; 3]) -> Option<Arc<Board>> {
+    let row = |state| BoardRow { id: "part", title: "title", points: 0, of: 5, state, named: Vec::new() };
     let (title, text, summary) = (String::new(), String::new(), String::new());
-    Some(Arc::new(Board { title, rows: vec![row], points: 0, of: 15, text, summary }))
+    Some(Arc::new(Board { title, rows: states.map(row).into(), points: 0, of: 15, text, summary }))
 }
 
 #[test]
 fn joints_are_judged_as_soon_as_part_3_is_begun_and_stay_so_while_points_are_counted_again() {
+    use grading::PartState::{NotStarted, Right, Wrong};
     let mut app = app(50);
     app.go_to(40);
     let mut stub = answers(&app, STUB);
@@ -211,9 +213,9 @@ fn joints_are_judged_as_soon_as_part_3_is_begun_and_stay_so_while_points_are_cou
         let scene = app.scene(Shown::Student(stub), SIZE);
         scene.figures[1].joints[2].off
     };
-    stub.standing.board = board(grading::PartState::NotStarted);
+    stub.standing.board = board([Right, Right, NotStarted]);
     assert_eq!(off(&mut app, &stub), Off::Right, "nothing is wrong yet");
-    stub.standing.board = board(grading::PartState::Wrong);
+    stub.standing.board = board([NotStarted, NotStarted, Wrong]);
     assert_eq!(off(&mut app, &stub), Off::Much);
     stub.standing.former = stub.standing.board.take();
     assert_eq!(off(&mut app, &stub), Off::Much);

@@ -20,7 +20,7 @@ fn they_say_where_we_are_and_what_is_wrong() {
     for (status, expected) in
         [(Status::Compiling, "compiling"), (Status::Asking, "asking your functions"), (failed, "E0308")]
     {
-        let scene = app.scene(Shown::Student(&Recorded::new(status)), SIZE);
+        let scene = app.scene(Shown::Student(&Recorded::new(Mover::Fk, status)), SIZE);
         assert!(words(&scene).contains(expected), "{}", words(&scene));
         assert_eq!(scene.figures.len(), 1, "the ghost is still there");
     }
@@ -135,7 +135,7 @@ fn a_picture_speaks_of_no_window_and_of_no_keys() {
     let mut app = app(5);
     let failed =
         Status::Failed(Arc::new(Trouble { headline: "your code panicked".into(), details: Vec::new() }));
-    let recorded = Recorded::new(failed);
+    let recorded = Recorded::new(Mover::Fk, failed);
     let told = |app: &mut App| words(&app.scene(Shown::Student(&recorded), SIZE));
     let window = told(&mut app);
     assert!(window.contains("this window follows") && window.contains("paused") && window.contains("h help"));

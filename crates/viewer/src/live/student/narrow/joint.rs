@@ -1,4 +1,4 @@
-//! Where in a frame the student's functions panic, crash or never come back.
+//! Forward kinematics: the joint.
 //!
 //! The traversal visits joint after joint, parents first, and no further than there are local positions. So a frame that
 //! fails is asked again with fewer of these, and nothing else is different for the functions: the skeleton, the angles
@@ -8,30 +8,15 @@ use exam::fk::{Answer as FkAnswer, Question as FkQuestion};
 use exam::{Failure, Subject};
 use skeleton::{Frame, JointId, Pose};
 
-use super::ask::{self, JOINTS_LIMIT};
-use crate::live::worker::Trouble;
+use super::super::ask::{self, PIECE_LIMIT};
+use super::{Place, same_kind, short};
 use crate::motion::stage::Stage;
 
-/// What is known about the place.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Place {
-    /// The joint at which it happens.
-    pub(super) joint: Option<JointId>,
-    /// The part, from 0, in which it happens.
-    pub(super) part: Option<usize>,
-}
-
-/// What is wrong with frame `index`, which fails as `failure` says, and where.
-pub(crate) fn explain(subject: &mut impl Subject, stage: &Stage, index: usize, failure: &Failure) -> Trouble {
-    let place = find(subject, stage, index, failure);
-    trouble(stage, index, failure, place)
-}
-
-/// Finds the place at which frame `index` fails as `failure` says. What is not the same each time is not told.
 pub(super) fn find(subject: &mut impl Subject, stage: &Stage, index: usize, failure: &Failure) -> Place {
     let frame = stage.frame(index);
     let Some(joint) = joint(subject, stage, &frame, failure) else { return Place::default() };
-    Place { joint: Some(joint), part: part(subject, stage, &frame, joint, failure) }
+    let at = format!("joint {}", short(&stage.motion().skeleton().label(joint)));
+    Place { at: Some(at), part: part(subject, stage, &frame, joint, failure) }
 }
 
 /// The first joint at which it fails.
@@ -62,7 +47,8 @@ fn first_joints(
 ) -> Result<Pose, Failure> {
     let mut cut = frame.clone();
     cut.local_positions.truncate(count);
-    let mut poses = ask::poses(subject, stage, vec![cut], JOINTS_LIMIT)?;
+    ask::warm_up(subject)?;
+    let mut poses = ask::fk::poses(subject, stage, vec![cut], PIECE_LIMIT)?;
     poses.pop().map(|posed| posed.pose).ok_or_else(ask::unfit)
 }
 
@@ -77,45 +63,19 @@ fn part(
     let failing = |part: usize, other: &Failure| same_kind(other, failure).then_some(part);
     let joints = &stage.motion().skeleton().joints()[..=joint.0];
     let this = joints.last()?;
-    let local = match ask::locals(subject, joints, frame.angles.clone(), JOINTS_LIMIT) {
+    ask::warm_up(subject).ok()?;
+    let local = match ask::fk::locals(subject, joints, frame.angles.clone(), PIECE_LIMIT) {
         Ok(locals) => locals.last()?.rotation,
         Err(other) => return failing(0, &other),
     };
     let mut pose = first_joints(subject, stage, frame, joint.0).ok()?;
     let question = FkQuestion::GlobalQuaternion { joint: this.clone(), local, pose: pose.clone() };
-    match ask::put(subject, question, JOINTS_LIMIT) {
+    match ask::fk::put(subject, question, PIECE_LIMIT) {
         Ok(FkAnswer::GlobalQuaternion(rotation)) => pose[joint].rotation = rotation,
         Ok(_) => return None,
         Err(other) => return failing(1, &other),
     }
     let local_position = *frame.local_positions.get(joint.0)?;
     let question = FkQuestion::GlobalPosition { joint: this.clone(), local_position, pose };
-    ask::put(subject, question, JOINTS_LIMIT).err().and_then(|other| failing(2, &other))
-}
-
-fn same_kind(one: &Failure, other: &Failure) -> bool {
-    std::mem::discriminant(one) == std::mem::discriminant(other)
-}
-
-/// What is told of frame `index`, in words for the student.
-pub(super) fn trouble(stage: &Stage, index: usize, failure: &Failure, place: Place) -> Trouble {
-    let mut trouble = Trouble::from(failure.clone());
-    let joint = place.joint.map(|joint| {
-        let label: String = stage.motion().skeleton().label(joint).chars().take(60).collect();
-        format!("at joint {}, ", parser::printable(&label))
-    });
-    trouble.details.push(format!("{}in frame {index}", joint.unwrap_or_default()));
-    if let Some(part) = place.part.and_then(|part| grading::fk::RUBRIC.parts.get(part)) {
-        trouble.details.push(format!("in {}, {}", part.id, part.function));
-    }
-    trouble
-}
-
-impl From<Failure> for Trouble {
-    fn from(failure: Failure) -> Trouble {
-        // A panic's message may be of any length.
-        let text: String = failure.to_string().chars().take(600).collect();
-        let mut lines = text.lines().take(8).map(str::to_owned);
-        Trouble { headline: lines.next().unwrap_or_default(), details: lines.collect() }
-    }
+    ask::fk::put(subject, question, PIECE_LIMIT).err().and_then(|other| failing(2, &other))
 }

@@ -1,12 +1,11 @@
-//! Which of the three parts put a joint where it does not belong.
-//!
-//! Each part is judged by what it was given: a joint whose own three parts are right, and that is off all the same, has that
-//! from a joint above it.
+//! Forward kinematics: a joint, and its three parts.
 
 use exam::fk::LocalAnswer;
 use glam::{Quat, Vec3};
-use grading::fk::{POSITION_TOLERANCE, ROTATION_TOLERANCE, angle_between};
+use grading::fk::POSITION_TOLERANCE;
 use skeleton::{FrameCursor, Joint, JointId, Pose, Skeleton};
+
+use super::same;
 
 /// What a student's functions made of one frame, and what they were given.
 #[derive(Clone, Copy)]
@@ -91,16 +90,6 @@ fn own(case: &Case, joint: &Joint) -> Option<Blame> {
     };
     let parts = [!same(local, expected_local), !same(given.rotation, turned(local)), third];
     parts.contains(&true).then_some(Blame::Own(parts))
-}
-
-/// Whether two quaternions are the same rotation. What is no rotation is the same as nothing, unless both are the same
-/// numbers: a part that hands on what it was given is not to blame for that.
-fn same(a: Quat, b: Quat) -> bool {
-    let unit = |q: Quat| (q.length() - 1.0).abs() <= 1e-3;
-    match unit(a) && unit(b) {
-        true => angle_between(a, b) <= ROTATION_TOLERANCE,
-        false => (a - b).length() <= 1e-4 * b.length() || !(a.is_finite() || b.is_finite()),
-    }
 }
 
 #[cfg(test)]

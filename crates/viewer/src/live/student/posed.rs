@@ -1,0 +1,48 @@
+//! What a student's functions answer about a frame, whichever exercise they are of.
+
+use exam::fk::LocalAnswer;
+use skeleton::Pose;
+use skeleton::acclaim::{BoneId, BonePlace};
+
+/// What the functions made of one frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Posed {
+    /// The global transforms of all joints; NaN where the functions say nothing.
+    pub pose: Pose,
+    /// What else they say.
+    pub extra: Extra,
+}
+
+/// What is known of a frame besides its pose.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Extra {
+    /// Forward kinematics.
+    Angles {
+        /// How many angles the functions took over the whole frame.
+        taken: usize,
+        /// How many angles the frame holds.
+        available: usize,
+    },
+    /// Acclaim forward kinematics: where each bone is; nothing for one that was not visited.
+    Bones(Vec<Option<BonePlace>>),
+}
+
+/// What single parts answer when they are asked by themselves, in order to explain a joint or a bone.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Details {
+    /// Forward kinematics: what part 1 gives for every joint.
+    Locals(Vec<LocalAnswer>),
+    /// Acclaim forward kinematics: the bones in the order in which part 3 visits them, up to twice as many as there are and
+    /// one more.
+    Visits(Vec<BoneId>),
+}
+
+impl Posed {
+    /// The places of the bones, where the functions move bones.
+    pub fn places(&self) -> Option<&[Option<BonePlace>]> {
+        match &self.extra {
+            Extra::Bones(places) => Some(places),
+            Extra::Angles { .. } => None,
+        }
+    }
+}
