@@ -11,7 +11,7 @@ use super::values::{Side, parse_rate, parse_scale, parse_size, parse_speed};
 use super::warp::WarpArguments;
 use crate::live::mover::Mover;
 use crate::live::package::Package;
-use crate::motion::source::{Loaded, Source, USUAL_RATE};
+use crate::motion::source::{Source, USUAL_RATE};
 use crate::motion::upright::Up;
 use crate::output::frames::{self, FrameRange};
 use crate::scene::Style;
@@ -215,22 +215,17 @@ impl Arguments {
         (width / columns, height / rows)
     }
 
-    /// Sees to it that the first motion has the frame that is asked for. Others are shown at the same time.
-    ///
-    /// # Errors
-    ///
-    /// When it has not.
-    pub fn check_frame(&self, source: &Source, loaded: &Loaded) -> Result<(), String> {
-        let count = loaded.stage.moving_frames();
-        frames::check(self.frame(), count).map_err(|error| format!("{}: {error}", source.title()))
-    }
-
     /// Sets all motions up: what is drawn of them, the frame, the joint, and the side to look from.
     ///
     /// # Errors
     ///
-    /// When none of them has a joint of that name.
+    /// When the first one has no such frame, nor the same one warped; and when none of them has a joint of that name.
     pub fn prepare(&self, gallery: &mut Gallery) -> Result<(), String> {
+        // Nothing is known of a file that cannot be read.
+        if let Some(first) = gallery.apps().first().filter(|app| app.unreadable().is_empty()) {
+            frames::check(self.frame(), gallery.moving_frames())
+                .map_err(|error| format!("{}: {error}", first.title()))?;
+        }
         for app in gallery.apps_mut() {
             app.settings = self.settings();
         }

@@ -58,17 +58,14 @@ impl Studio {
     fn open(arguments: &Arguments, output: &Output, sources: &[Source]) -> Result<Studio, String> {
         let mut apps = Vec::new();
         for source in sources {
-            let loaded = source.read().map_err(text)?;
-            if apps.is_empty() {
-                arguments.check_frame(source, &loaded)?;
-            }
+            let loaded = source.read_behind(apps.last().map(App::stage)).map_err(text)?;
             let tile = arguments.tile(sources.len());
             apps.push(App::new(loaded.stage, source.title(), loaded.warnings, tile));
         }
         let mut gallery = Gallery::new(apps);
         arguments.prepare(&mut gallery)?;
         gallery.apps_mut().iter_mut().for_each(|app| app.settings.still = true);
-        let (frames, seconds) = choose(arguments, output, &gallery.apps()[0])?;
+        let (frames, seconds) = choose(arguments, output, &gallery)?;
         let mut studio = Studio {
             gallery,
             answers: Vec::new(),
@@ -205,14 +202,14 @@ impl Studio {
     }
 }
 
-/// The frames of the first motion that become pictures, and how long each is shown.
-fn choose(arguments: &Arguments, output: &Output, first: &App) -> Result<(Vec<usize>, f64), String> {
+/// The frames of the first motion that become pictures, and how long each is shown. Of a pair they are those of the longer one.
+fn choose(arguments: &Arguments, output: &Output, gallery: &Gallery) -> Result<(Vec<usize>, f64), String> {
+    let first = &gallery.apps()[0];
     let motion = first.stage().motion();
     let seconds = motion.playable_frame_time() / arguments.speed;
     let range = arguments.frames.unwrap_or(FrameRange::ALL);
-    let all = range
-        .resolve(first.stage().moving_frames())
-        .map_err(|error| format!("{}: {error}", first.title()))?;
+    let all =
+        range.resolve(gallery.moving_frames()).map_err(|error| format!("{}: {error}", first.title()))?;
     let film = |format: Format| {
         // Of the chosen frames as many as programs show at their speed.
         let every = format.every(seconds * range.step() as f64);

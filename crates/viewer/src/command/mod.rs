@@ -23,6 +23,7 @@ use crate::motion::source::{self, Loaded, Source};
 use crate::view::app::App;
 use crate::view::gallery::Gallery;
 use crate::view::session::Session;
+use crate::view::texts;
 use crate::window;
 
 pub use arguments::Arguments;
@@ -51,10 +52,10 @@ fn view(arguments: &Arguments) -> Result<(), String> {
         targets::check(target, &sources)?;
     }
     if arguments.print {
-        return sources.iter().try_for_each(|source| {
+        for source in &sources {
             say(&report(source, &source.read().map_err(text)?));
-            Ok(())
-        });
+        }
+        return Ok(());
     }
     if arguments.exercise.mover().is_some_and(Mover::needs_bones) && arguments.keyframes.targets().is_empty()
     {
@@ -68,50 +69,66 @@ fn view(arguments: &Arguments) -> Result<(), String> {
     }
 
     let mut apps = Vec::new();
+    let mut reports = String::new();
     for source in &sources {
-        apps.push(open(arguments, source, sources.len(), apps.is_empty())?);
+        apps.push(open(arguments, source, sources.len(), apps.last(), &mut reports)?);
     }
     let mut gallery = Gallery::new(apps);
     arguments.prepare(&mut gallery)?;
+    say(&reports);
     let workspace = workspace();
     let followed = (!arguments.solution).then_some((arguments.exercise, workspace.as_path()));
     let session = || Session::open(gallery, sources, followed);
     window::open(session, arguments.size()).map_err(text)
 }
 
-/// A motion as the window shows it first. One that cannot be read is told in the terminal and in the window, where it
-/// appears as soon as it can be.
-fn open(arguments: &Arguments, source: &Source, count: usize, is_first: bool) -> Result<App, String> {
-    // A name without a file is most likely a slip of the hand.
-    if !source.path.is_file() {
-        source.read().map_err(text)?;
+/// A motion as the window shows it first, and what there is to report of it. One that cannot be read is told in the terminal and
+/// in the window, where it appears as soon as it can be. `before` is the motion in front of it.
+fn open(
+    arguments: &Arguments,
+    source: &Source,
+    count: usize,
+    before: Option<&App>,
+    reports: &mut String,
+) -> Result<App, String> {
+    let app = |stage, warnings| App::new(stage, source.title(), warnings, arguments.tile(count));
+    let unread = |why: &str| {
+        let mut app = app(source::nothing(), Vec::new());
+        app.cannot_read(why);
+        app
+    };
+    // A warped motion is made of the one in front of it. What is wrong with the file was told there.
+    let before = before.filter(|_| source.warp.is_some());
+    if let Some(before) = before.filter(|before| !before.unreadable().is_empty()) {
+        return Ok(unread(&before.unreadable().join("\n")));
     }
-    let loaded = source.read();
-    match &loaded {
+    match source.read_behind(before.map(App::stage)) {
         Ok(loaded) => {
-            if is_first {
-                arguments.check_frame(source, loaded)?;
-            }
-            say(&report(source, loaded));
+            reports.push_str(&report(source, &loaded));
+            Ok(app(loaded.stage, loaded.warnings))
         }
-        Err(error) => eprintln!("{error}"),
+        // A name without a file is most likely a slip of the hand, and so are keyframes that are not there.
+        Err(error) if before.is_some() || !source.path.is_file() => Err(error.to_string()),
+        Err(error) => {
+            eprintln!("{error}");
+            Ok(unread(&error.to_string()))
+        }
     }
-    let stage = loaded.as_ref().map_or_else(|_| source::nothing(), |loaded| loaded.stage.clone());
-    let warnings = loaded.as_ref().map_or_else(|_| Vec::new(), |loaded| loaded.warnings.clone());
-    let mut app = App::new(stage, source.title(), warnings, arguments.tile(count));
-    if let Err(error) = loaded {
-        app.cannot_read(&error.to_string());
-    }
-    Ok(app)
 }
 
-/// What is printed of a motion: its name, its skeleton, a summary, and what is odd about the file.
+/// What is printed of a motion: its name, its skeleton, a summary, and what is odd about the file. Of a warped one only what
+/// tells it from its original.
 fn report(source: &Source, loaded: &Loaded) -> String {
+    let (mut title, motion) = (source.title(), loaded.stage.motion());
+    if let Some(map) = loaded.stage.warp() {
+        texts::write_warp(&mut title, &map);
+        let seconds = map.frame_count() as f64 * motion.playable_frame_time();
+        return format!("\n{title}\n{:<16} {} s\n", "duration", print::number(seconds, 2));
+    }
     let warnings = match &loaded.warnings[..] {
         [] => "warnings         none\n".to_owned(),
         some => some.iter().map(|warning| format!("warning          {warning}\n")).collect(),
     };
-    let (title, motion) = (source.title(), loaded.stage.motion());
     format!("{title}\n\n{}\n{}{warnings}", print::tree(motion.skeleton()), print::summary(motion))
 }
 

@@ -5,16 +5,14 @@ use std::str::FromStr;
 use clap::Args;
 
 use crate::motion::source::{Source, Warping};
-
-/// The most frames that a motion can be warped to.
-const MOST: u64 = 100_000_000;
+use crate::view::warp::MOST_FRAMES;
 
 /// A motion with another number of frames.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Time warp")]
 pub struct WarpArguments {
     /// Shows the motion beside itself with so many frames, slower or faster [default with --between: twice as many]
-    #[arg(long, value_name = "FRAMES", value_parser = clap::value_parser!(u64).range(1..=MOST))]
+    #[arg(long, value_name = "FRAMES", value_parser = clap::value_parser!(u64).range(1..=MOST_FRAMES as u64))]
     warp: Option<u64>,
 
     /// Warps only the stretch between these two keyframes: --warp says how many frames it is from the one to the other, and all

@@ -1,9 +1,7 @@
 //! What colour things have.
 
-use skeleton::Representation;
-
 use crate::draw::canvas::Color;
-use crate::scene::{Off, Side, Tint, Trail};
+use crate::scene::{Off, Side, Stroke, Tint, Trail};
 
 /// Edges around letters, so that they can be read on anything.
 pub(super) const PAPER: Color = Color(0xF4_F6_F7);
@@ -54,10 +52,11 @@ pub fn color_of(tint: Tint) -> Color {
 }
 
 /// The colour of a curve on the backdrop: yellow and blue, which nearly everybody tells apart.
-pub(super) fn curve(representation: Representation) -> Color {
-    match representation {
-        Representation::Euler => Color(0xFF_D1_4A),
-        Representation::Quaternion => RIGHT,
+pub(super) fn curve(stroke: Stroke) -> Color {
+    match stroke {
+        Stroke::Solid => Color(0xFF_D1_4A),
+        Stroke::Dashed => RIGHT,
+        Stroke::Faint => QUIET,
     }
 }
 

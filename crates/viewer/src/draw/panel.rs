@@ -138,8 +138,8 @@ impl Panels {
         typeface: &mut Typeface,
         canvas: &mut Canvas,
     ) {
-        let place = self.spot(Corner::BottomRight, plot::size(measures.fit), measures, bottom, canvas.size());
-        if let Some(place) = place {
+        let size = plot::size(plot, measures.fit);
+        if let Some(place) = self.spot(Corner::BottomRight, size, measures, bottom, canvas.size()) {
             self.placed.push(place);
             plot::draw(plot, place, measures.fit, typeface, canvas);
         }

@@ -1,24 +1,27 @@
-//! Curves in a panel: how an error grows.
+//! Curves in a panel: how an error grows, or how a time warp leads from frames to frames.
 
 use glam::Vec2;
-use skeleton::Representation;
 
 use super::canvas::{Canvas, Color, Pen, Typeface, Weight};
-use super::colors::{self, BACKDROP, BACKDROP_OPACITY, PLAIN, QUIET};
+use super::colors::{self, BACKDROP, BACKDROP_OPACITY, PLAIN, QUIET, color_of};
 use super::panel::Rectangle;
 use crate::camera::Spot;
-use crate::scene::{Curve, Plot};
+use crate::scene::{Curve, Plot, Stroke, Tint};
 
 /// Lengths in pixels, for an ordinary display.
 const SIZE: (f32, f32) = (380.0, 216.0);
+const SMALL: (f32, f32) = (244.0, 200.0);
 const TEXT_SIZE: f32 = 12.0;
 const PADDING: f32 = 10.0;
 const GAP: f32 = 6.0;
 const LINE: f32 = 15.0;
 const PEN: f32 = 2.2;
+const FAINT_PEN: f32 = 1.2;
+const SAMPLE: f32 = 20.0;
 
-/// One curve is dashed, so that nobody depends on colours: lengths of a dash and of a gap.
+/// Some curves are dashed, so that nobody depends on colours: lengths of a dash and of a gap.
 const DASH: (f32, f32) = (7.0, 5.0);
+const FAINT_DASH: (f32, f32) = (4.0, 3.0);
 
 /// Steps of less than this are taken together.
 const SHORT: f32 = 2.5;
@@ -27,8 +30,9 @@ const GRID: Color = Color(0x45_4F_5C);
 const AXIS: Color = Color(0x8C_98_A6);
 
 /// How large a plot is, in pixels.
-pub(super) fn size(fit: f32) -> (i32, i32) {
-    ((SIZE.0 * fit).round() as i32, (SIZE.1 * fit).round() as i32)
+pub(super) fn size(plot: &Plot, fit: f32) -> (i32, i32) {
+    let (width, height) = if plot.small { SMALL } else { SIZE };
+    ((width * fit).round() as i32, (height * fit).round() as i32)
 }
 
 /// Draws the plot and what lies behind it.
@@ -41,10 +45,14 @@ pub(super) fn draw(plot: &Plot, place: Rectangle, fit: f32, typeface: &mut Typef
         return;
     }
     ink.axes(plot, &frame);
+    ink.posts(plot, &frame);
     for (index, curve) in plot.curves.iter().enumerate() {
         ink.curve(curve, &frame, index);
     }
-    ink.names(plot, &frame);
+    match plot.small {
+        true => ink.names_above(plot, place),
+        false => ink.names(plot, &frame),
+    }
     if let Some(mark) = plot.mark.and_then(|mark| frame.at(mark)) {
         let ring = (mark.x, mark.y);
         ink.canvas.disc(ring, ink.pixels(5.5), Color::WHITE);
@@ -100,10 +108,11 @@ impl Ink<'_> {
     fn frame(&mut self, plot: &Plot, place: Rectangle) -> Frame {
         let (padding, gap, line) = (self.pixels(PADDING), self.pixels(GAP), self.pixels(LINE));
         let numbers = plot.rows.iter().map(|tick| self.width(&tick.label)).fold(0.0, f32::max);
-        let names = plot.curves.iter().map(|curve| self.width(curve.representation.name()));
-        let names = names.fold(0.0, f32::max);
+        let names = plot.curves.iter().map(|curve| self.width(&curve.name));
+        let names = if plot.small { 0.0 } else { names.fold(0.0, f32::max) };
         let left = place.left as f32 + padding + numbers.ceil() + gap;
-        let top = place.top as f32 + padding + line + gap;
+        let rows = if plot.small { 2.0 } else { 1.0 };
+        let top = place.top as f32 + padding + rows * line + gap;
         let right = (place.left + place.width) as f32 - padding - names.ceil() - 1.5 * gap;
         let bottom = (place.top + place.height) as f32 - padding - 2.0 * line - 0.5 * gap;
         Frame { left: left.round(), top, width: (right - left).floor(), height: bottom - top }
@@ -149,12 +158,20 @@ impl Ink<'_> {
     fn curve(&mut self, curve: &Curve, frame: &Frame, index: usize) {
         // Nearer than anything in the world, and each nearer than the one before.
         let nearness = 1e36 * (1 + index) as f32;
+        let places = curve.points.iter().filter_map(|point| frame.at(*point));
+        self.line(curve.stroke, places, nearness);
+    }
+
+    /// A line through some places.
+    fn line(&mut self, stroke: Stroke, mut places: impl Iterator<Item = Vec2>, nearness: f32) {
         let spot = |place: Vec2| Spot { x: place.x, y: place.y, nearness };
-        let color = colors::curve(curve.representation);
-        let pen = Pen { width: PEN * self.fit, color, opacity: 1.0 };
-        let dashed = curve.representation == Representation::Quaternion;
-        let (dash, period) = (DASH.0 * self.fit, (DASH.0 + DASH.1) * self.fit);
-        let mut places = curve.points.iter().filter_map(|point| frame.at(*point));
+        let (width, (dash, gap), dashed) = match stroke {
+            Stroke::Solid => (PEN, DASH, false),
+            Stroke::Dashed => (PEN, DASH, true),
+            Stroke::Faint => (FAINT_PEN, FAINT_DASH, true),
+        };
+        let pen = Pen { width: width * self.fit, color: colors::curve(stroke), opacity: 1.0 };
+        let (dash, period) = (dash * self.fit, (dash + gap) * self.fit);
         let Some(mut start) = places.next() else { return };
         let mut along = 0.0;
         let mut places = places.peekable();
@@ -198,9 +215,35 @@ impl Ink<'_> {
                 }
             }
             let ascent = 0.36 * self.text_size() as f32;
-            let color = colors::curve(curve.representation);
+            let color = colors::curve(curve.stroke);
             let left = frame.left + frame.width + 1.5 * self.pixels(GAP);
-            self.words(curve.representation.name(), (left, place.y + ascent), color);
+            self.words(&curve.name, (left, place.y + ascent), color);
+        }
+    }
+
+    /// The names in one row above all else, each behind a piece of its curve.
+    fn names_above(&mut self, plot: &Plot, place: Rectangle) {
+        let (padding, gap, sample) = (self.pixels(PADDING), self.pixels(GAP), self.pixels(SAMPLE));
+        let baseline = place.top as f32 + padding + 0.75 * self.pixels(LINE);
+        let y = (baseline - 0.36 * self.text_size() as f32).round();
+        let mut left = place.left as f32 + padding;
+        for curve in &plot.curves {
+            self.line(curve.stroke, [left, left + sample].map(|x| Vec2::new(x, y)).into_iter(), 1e36);
+            left += sample + gap;
+            self.words(&curve.name, (left, baseline), colors::curve(curve.stroke));
+            left += self.width(&curve.name) + 2.5 * gap;
+        }
+    }
+
+    /// Where something begins or ends: thin lines upwards, with a foot.
+    fn posts(&mut self, plot: &Plot, frame: &Frame) {
+        let (thin, foot) = (self.pixels(1.0), self.pixels(GAP));
+        let color = color_of(Tint::Keyframe);
+        for at in plot.posts.iter().filter_map(|at| frame.at((*at, 0.0))) {
+            let line = |height: f32| (thin as i32, height as i32);
+            let left = (at.x - 0.5 * thin).round() as i32;
+            self.canvas.rectangle((left, frame.top as i32), line(frame.height), color, 0.4);
+            self.canvas.rectangle((left, (at.y - foot) as i32), (2 * thin as i32, foot as i32), color, 1.0);
         }
     }
 }

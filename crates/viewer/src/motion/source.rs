@@ -127,6 +127,21 @@ impl Source {
         }
     }
 
+    /// The same, for a motion whose original was read just before: a warped one is made of that.
+    ///
+    /// # Errors
+    ///
+    /// When the files are no motion, or the motion has not the keyframes between which it is to be warped.
+    pub fn read_behind(&self, original: Option<&Arc<Stage>>) -> Result<Loaded, Unreadable> {
+        match (&self.warp, original) {
+            (Some(warping), Some(original)) => {
+                // What is odd about the file is told beside.
+                self.warped(Loaded { stage: original.clone(), warnings: Vec::new() }, warping)
+            }
+            _ => self.read(),
+        }
+    }
+
     fn read_joints(&self) -> Result<Loaded, Unreadable> {
         let bvh::Reading { motion, warnings } = bvh::read_file(&self.path)?;
         let mut warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();

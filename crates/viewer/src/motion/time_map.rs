@@ -48,6 +48,30 @@ impl TimeMap {
         }
     }
 
+    /// The keyframes of a stretch: in the old motion, and in the new one.
+    pub fn keyframes(&self) -> Option<[(usize, usize); 2]> {
+        match *self {
+            TimeMap::Whole { .. } => None,
+            TimeMap::Stretch { first, last, .. } => {
+                Some([first, last].map(|keyframe| (keyframe, self.new_frame(keyframe))))
+            }
+        }
+    }
+
+    /// How many new frames take the place of how many old ones: `(new, old)`, where time is warped.
+    pub fn speed(&self) -> (usize, usize) {
+        match *self {
+            TimeMap::Whole { old, new } => (new, old),
+            TimeMap::Stretch { first, last, new, .. } => (new, last - first),
+        }
+    }
+
+    /// Where the new motion's frame `index` is in the old one, as one number.
+    pub fn position(&self, index: usize) -> f64 {
+        let Between { before, after, t } = self.place(index);
+        before as f64 + f64::from(t) * (after - before) as f64
+    }
+
     /// Where the new motion's frame `index` (from 0) is in the old one. Behind the last frame it is the last one.
     pub fn place(&self, index: usize) -> Between {
         let index = index.min(self.frame_count().saturating_sub(1));
@@ -97,11 +121,7 @@ impl TimeMap {
         corners.push(end);
         corners.retain(|corner| *corner <= end);
         corners.dedup();
-        let old = |corner: usize| {
-            let Between { before, after, t } = self.place(corner);
-            before as f64 + f64::from(t) * (after - before) as f64
-        };
-        corners.into_iter().map(|corner| (corner, old(corner))).collect()
+        corners.into_iter().map(|corner| (corner, self.position(corner))).collect()
     }
 }
 
@@ -134,6 +154,7 @@ mod tests {
         let places: Vec<f64> = (0..map.frame_count()).map(|index| position(&map, index)).collect();
         assert_eq!(places, [0.0, 1.0, 2.0, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 7.0, 8.0, 9.0]);
         assert_eq!(map.corners(), [(0, 0.0), (3, 3.0), (9, 6.0), (12, 9.0)]);
+        assert_eq!((map.keyframes(), map.speed()), (Some([(3, 3), (6, 9)]), (6, 3)));
         assert_eq!([2, 3, 4, 6, 9].map(|old| map.new_frame(old)), [2, 3, 5, 9, 12]);
     }
 

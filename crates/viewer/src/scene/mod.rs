@@ -18,7 +18,7 @@ pub use figure::{Axes, Bone, Dot, Figure, Look, Off, Side};
 pub use instruments::{ScaleBar, Timeline};
 pub use marks::{Mark, Tint, Trail};
 pub use panel::{Corner, Line, Panel};
-pub use plot::{Curve, Plot, Tick};
+pub use plot::{Curve, Plot, Stroke, Tick};
 pub use pool::Pool;
 
 /// Everything in one picture. Lengths are in world units: those of the motion's file.

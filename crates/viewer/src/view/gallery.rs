@@ -4,7 +4,8 @@ use crate::draw::timeline::Bar;
 use crate::view::app::App;
 use crate::window::keys::Action;
 
-/// One motion or several. Keys and mouse act on all of them, so that they stay in step and are seen from the same side.
+/// One motion or several. Keys and mouse act on all of them, so that they stay in step and are seen from the same side. A motion
+/// and the same one warped, which stands behind it, share one time: the shorter one waits at its end.
 #[derive(Clone, Debug)]
 pub struct Gallery {
     apps: Vec<App>,
@@ -35,7 +36,9 @@ impl Tile {
 impl Gallery {
     /// Shows all of these side by side.
     pub fn new(apps: Vec<App>) -> Gallery {
-        Gallery { apps, alone: None }
+        let mut gallery = Gallery { apps, alone: None };
+        gallery.keep_in_step();
+        gallery
     }
 
     /// The motions, in the order in which they were given.
@@ -89,8 +92,9 @@ impl Gallery {
                 let play = !self.apps.iter().any(|app| app.player().is_playing());
                 self.apps.iter_mut().for_each(|app| app.set_playing(play));
             }
-            action => self.apps.iter_mut().for_each(|app| app.act(action)),
+            action => self.act_in_all(action),
         }
+        self.keep_in_step();
     }
 
     /// Whether a place in a window of `size` pixels is on a scrub bar.
@@ -119,32 +123,38 @@ impl Gallery {
     /// Goes to `frame` of `motion`, and to the same time in all others.
     pub fn go_to(&mut self, motion: usize, frame: usize) {
         for other in 0..self.apps.len() {
-            let frame = self.frame_at_the_time_of(motion, frame, other);
+            let frame = self.same_time(motion, frame, other);
             self.apps[other].go_to(frame);
         }
+        self.keep_in_step();
     }
 
     /// The frame of the motion `other` that is shown together with `frame` of `motion`: that of the same time.
     pub fn frame_at_the_time_of(&self, motion: usize, frame: usize, other: usize) -> usize {
-        let stage = |motion: usize| self.apps[motion].stage();
-        let seconds = |motion: usize| stage(motion).motion().playable_frame_time();
-        let same = (frame as f64 * seconds(motion) / seconds(other)).round() as usize;
-        same.min(stage(other).frame_count() - 1)
+        self.same_time(motion, frame, other).min(self.apps[other].stage().frame_count() - 1)
+    }
+
+    /// The same, though the motion `other` may have ended by then.
+    fn same_time(&self, motion: usize, frame: usize, other: usize) -> usize {
+        let seconds = |motion: usize| self.apps[motion].stage().motion().playable_frame_time();
+        (frame as f64 * seconds(motion) / seconds(other)).round() as usize
     }
 
     /// Lets `seconds` pass.
     pub fn advance(&mut self, seconds: f64) {
         self.apps.iter_mut().for_each(|app| app.advance(seconds));
+        self.keep_in_step();
     }
 
     /// A line for the window's title bar.
     pub fn window_title(&self) -> String {
         match (self.alone, &self.apps[..]) {
-            (None, [_, _, ..]) => {
+            (None, [_, _, ..]) if self.only_pair().is_none() => {
                 let titles: Vec<&str> = self.apps.iter().map(App::title).collect();
                 titles.join(" · ")
             }
-            (alone, apps) => apps.get(alone.unwrap_or(0)).map(App::window_title).unwrap_or_default(),
+            (None, _) => self.only_pair().or(self.apps.first()).map(App::window_title).unwrap_or_default(),
+            (Some(alone), apps) => apps.get(alone).map(App::window_title).unwrap_or_default(),
         }
     }
 }

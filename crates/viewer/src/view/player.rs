@@ -6,11 +6,15 @@ pub const SPEEDS: [f64; 9] = [0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0];
 /// Where the motion's own speed stands among them.
 const OWN_SPEED: usize = 4;
 
-/// Goes through the frames of a motion.
+/// Goes through the frames of a motion. It may go on with a longer one: then the last frame stays until that is at its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Player {
+    /// The frame of the longer motion.
     frame: usize,
+    /// How many frames the motion has.
     count: usize,
+    /// How many frames the longer motion has; the same when there is none.
+    length: usize,
     /// Seconds from one frame to the next.
     frame_time: f64,
     playing: bool,
@@ -33,6 +37,7 @@ impl Player {
         Player {
             frame: 0,
             count,
+            length: count,
             frame_time,
             playing: false,
             backwards: false,
@@ -46,23 +51,46 @@ impl Player {
 
     /// The same settings for a motion that has changed: as near to the same frame as there is one.
     pub fn for_motion(&self, count: usize, frame_time: f64) -> Player {
+        Player { frame_time, ..self.waiting(count, count) }
+    }
+
+    /// The same for a motion of `count` frames that goes on with one of `length` frames: at the same time, if there is such a
+    /// time in the longer one.
+    #[must_use]
+    pub fn waiting(&self, count: usize, length: usize) -> Player {
         let count = count.max(1);
-        let last = count - 1;
-        let whole = self.range == (0, self.count - 1);
-        let range = if whole { (0, last) } else { (self.range.0.min(last), self.range.1.min(last)) };
+        let length = length.max(count);
+        let last = length - 1;
+        let range =
+            if self.has_range() { (self.range.0.min(last), self.range.1.min(last)) } else { (0, last) };
         let (frame, traced_from) = (self.frame.min(last), self.traced_from.min(last));
-        let playing = self.playing && count > 1;
-        Player { count, frame_time, frame, range, traced_from, playing, ..self.clone() }
+        let playing = self.playing && length > 1;
+        Player { count, length, frame, range, traced_from, playing, ..self.clone() }
     }
 
     /// The frame to show, from 0.
     pub fn frame(&self) -> usize {
+        self.frame.min(self.count - 1)
+    }
+
+    /// How many frames have passed since the beginning: those for which the last one has stayed are counted too.
+    pub fn time(&self) -> usize {
         self.frame
+    }
+
+    /// Whether the last frame stays until a longer motion is at its end.
+    pub fn is_waiting(&self) -> bool {
+        self.frame >= self.count
     }
 
     /// How many frames there are, at least 1.
     pub fn count(&self) -> usize {
         self.count
+    }
+
+    /// How many frames the longer motion has with which this one goes on; its own, when there is none.
+    pub fn length(&self) -> usize {
+        self.length
     }
 
     /// Whether it is playing.
@@ -87,18 +115,18 @@ impl Player {
 
     /// The first and the last frame that are played.
     pub fn range(&self) -> (usize, usize) {
-        self.range
+        (self.range.0.min(self.count - 1), self.range.1.min(self.count - 1))
     }
 
     /// Whether only a part of the motion is played.
     pub fn has_range(&self) -> bool {
-        self.range != (0, self.count - 1)
+        self.range != (0, self.length - 1)
     }
 
     /// The frames whose traces are shown, at most `most` of them and the oldest first: from the last wrap or reversal,
     /// or from before the present frame when somebody has gone to it, up to the present one.
     pub fn traced(&self, most: usize) -> impl Iterator<Item = usize> + use<> {
-        let (from, to) = (self.traced_from, self.frame);
+        let (from, to) = (self.traced_from.min(self.count - 1), self.frame());
         let length = from.abs_diff(to).min(most.saturating_sub(1));
         let forwards = from <= to;
         (0..=length).rev().map(move |back| if forwards { to - back } else { to + back })
@@ -111,7 +139,7 @@ impl Player {
 
     /// Plays, or does not. A single frame cannot be played.
     pub fn set_playing(&mut self, playing: bool) {
-        self.playing = playing && self.count > 1;
+        self.playing = playing && self.length > 1;
         self.shown_for = 0.0;
         let (first, last) = self.range;
         // Who is at the end, or outside of what is to be played, wants to see it from its beginning.
@@ -143,29 +171,29 @@ impl Player {
     /// Plays from this frame on; from the motion's beginning if that was so already.
     pub fn begin_range(&mut self) {
         let first = if self.range.0 == self.frame { 0 } else { self.frame };
-        let last = if self.range.1 < first { self.count - 1 } else { self.range.1 };
+        let last = if self.range.1 < first { self.length - 1 } else { self.range.1 };
         self.range = (first, last);
     }
 
     /// Plays up to this frame; to the motion's end if that was so already.
     pub fn end_range(&mut self) {
-        let last = if self.range.1 == self.frame { self.count - 1 } else { self.frame };
+        let last = if self.range.1 == self.frame { self.length - 1 } else { self.frame };
         let first = if self.range.0 > last { 0 } else { self.range.0 };
         self.range = (first, last);
     }
 
-    /// Pauses and goes to `frame`, or to the last one.
+    /// Pauses and goes to `frame`, or to the last one that there is, of the longer motion.
     pub fn go_to(&mut self, frame: usize) {
-        self.frame = frame.min(self.count - 1);
+        self.frame = frame.min(self.length - 1);
         self.playing = false;
         self.shown_for = 0.0;
-        self.traced_from = if self.backwards { self.count - 1 } else { 0 };
+        self.traced_from = if self.backwards { self.length - 1 } else { 0 };
     }
 
     /// Pauses and goes `frames` further, or back when it is negative. The first frame follows the last.
     pub fn step(&mut self, frames: isize) {
-        let count = self.count as i128;
-        self.go_to((self.frame as i128 + frames as i128).rem_euclid(count) as usize);
+        let length = self.length as i128;
+        self.go_to((self.frame as i128 + frames as i128).rem_euclid(length) as usize);
     }
 
     /// Lets `seconds` pass. Frames that do not fit between two pictures are left out, so that the motion keeps its

@@ -1,6 +1,7 @@
 //! Everything that a window shows: motions, the student's functions, and what changes on the disk.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::thread;
 
@@ -10,9 +11,11 @@ use crate::live::sister::{Come, Sister};
 use crate::live::watch::{Baseline, Watcher};
 use crate::live::{Live, OfMotion};
 use crate::motion::source::{Loaded, Source, Unreadable};
+use crate::motion::stage::Stage;
 use crate::view::app::{self, App, Shown};
 use crate::view::gallery::Gallery;
 use crate::view::screen::Screen;
+use crate::view::warp::Warp;
 use crate::window::input::Gesture;
 
 /// Motions that are shown, and the functions that move them. Whatever of it is saved anew is shown anew.
@@ -20,6 +23,8 @@ pub struct Session {
     /// The motions.
     pub gallery: Gallery,
     sources: Vec<Source>,
+    /// What is known of the motions by those that edit them, and by the student's functions.
+    stages: Vec<Arc<Stage>>,
     /// Files that are being read again: long ones take a moment, for which no picture waits.
     readings: Vec<Option<Receiver<Reading>>>,
     /// What edits each motion.
@@ -44,11 +49,11 @@ impl Session {
     /// in the workspace in that folder, do their part, and the reference's all the rest.
     pub fn open(gallery: Gallery, sources: Vec<Source>, followed: Option<(Package, &Path)>) -> Session {
         let files: Vec<Vec<PathBuf>> = sources.iter().map(Source::files).collect();
+        let stages: Vec<Arc<Stage>> = gallery.apps().iter().map(|app| app.stage().clone()).collect();
         let functions = match followed {
             Some((package, workspace)) => match package.mover() {
                 Some(mover) => {
-                    let stages = gallery.apps().iter().map(|app| app.stage().clone()).collect();
-                    Functions::Student(Box::new(Live::open(mover, workspace, stages, files)))
+                    Functions::Student(Box::new(Live::open(mover, workspace, stages.clone(), files)))
                 }
                 None => Functions::Sister(Box::new(Sister::open(package, workspace, files, reference))),
             },
@@ -62,11 +67,12 @@ impl Session {
         let hand = || (!matches!(functions, Functions::Sister(_))).then(reference);
         let engine = |app: &App| Engine::start(app.stage().clone(), hand());
         let engines = gallery.apps().iter().map(engine).collect();
-        Session { gallery, sources, readings, engines, functions }
+        Session { gallery, sources, stages, readings, engines, functions }
     }
 
     /// Takes in what has changed. Never waits.
     pub fn update(&mut self) {
+        self.hand_on();
         let saved = match &mut self.functions {
             Functions::Student(live) => {
                 let shown: Vec<usize> = self.gallery.apps().iter().map(App::frame).collect();
@@ -86,10 +92,12 @@ impl Session {
             }
             Functions::Reference(watcher, files) => watcher.saved_motions(files),
         };
-        for motion in saved {
+        // A warped motion follows its original.
+        for motion in saved.into_iter().filter(|motion| self.sources[*motion].warp.is_none()) {
             self.readings[motion] = Some(read_in_background(self.sources[motion].clone()));
         }
         (0..self.readings.len()).for_each(|motion| self.take_reading(motion));
+        self.hand_on();
         for (motion, (app, engine)) in self.gallery.apps_mut().iter_mut().zip(&mut self.engines).enumerate() {
             engine.want(app.wish());
             engine.update();
@@ -108,21 +116,35 @@ impl Session {
             Some(read) => read,
         };
         self.readings[motion] = None;
-        let app = &mut self.gallery.apps_mut()[motion];
+        let behind = self.sources.get(motion + 1).and_then(|source| source.warp);
         match read {
             // There was no thread to read it: the next save is another chance.
             Err(_) => {}
             Ok(Ok(loaded)) => {
-                if let Functions::Student(live) = &mut self.functions {
-                    live.replace_stage(motion, loaded.stage.clone());
-                }
-                self.engines[motion].replace_stage(loaded.stage.clone());
-                app.replace(loaded.stage, loaded.warnings);
+                let warp =
+                    behind.map(|warping| Warp::of_motion(&warping, loaded.stage.motion().frame_count()));
+                self.gallery.replace(motion, &loaded.stage, loaded.warnings, warp);
             }
             Ok(Err(error)) => {
                 eprintln!("{error}");
-                app.cannot_read(&error.to_string());
+                let tiles = motion..=motion + usize::from(behind.is_some());
+                tiles.for_each(|tile| self.gallery.apps_mut()[tile].cannot_read(&error.to_string()));
             }
+        }
+    }
+
+    /// Lets everybody know of motions that have changed: on the disk, or by keys.
+    fn hand_on(&mut self) {
+        let apps = self.gallery.apps().iter().enumerate();
+        for ((motion, app), known) in apps.zip(&mut self.stages) {
+            if Arc::ptr_eq(app.stage(), known) {
+                continue;
+            }
+            known.clone_from(app.stage());
+            if let Functions::Student(live) = &mut self.functions {
+                live.replace_stage(motion, known.clone());
+            }
+            self.engines[motion].replace_stage(known.clone());
         }
     }
 

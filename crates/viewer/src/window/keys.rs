@@ -21,21 +21,21 @@ pub enum Action {
     First,
     /// Go to the last frame.
     Last,
-    /// Play from this frame on.
+    /// Play from this frame on, or warp from it on.
     RangeStart,
-    /// Play up to this frame.
+    /// Play up to this frame, or warp up to it.
     RangeEnd,
     /// Interpolate the stretch that is played, or in another way, or not any more.
     Interpolate,
     /// Choose keyframes automatically, or do not.
     Automatic,
-    /// Take so many more automatic keyframes, or fewer when it is negative.
+    /// Take so many more automatic keyframes, or fewer when it is negative; or more or fewer frames of a warped motion.
     Keyframes(isize),
     /// Show the original over the interpolated figure, or beside it.
     Beside,
     /// Show or hide error vectors.
     Errors,
-    /// Show or hide the plot of errors.
+    /// Show or hide the plot of errors, or the curve of a warp.
     Plot,
     /// Move the camera so that everything is in the picture.
     Frame,
@@ -127,7 +127,7 @@ pub const ROWS: &[Row] = &[
     ),
     row(
         "[ ]",
-        "play from here, up to here (again: all)",
+        "play, or warp, from here, up to here (again: all)",
         &[binding(Key::LeftBracket, Action::RangeStart), binding(Key::RightBracket, Action::RangeEnd)],
     ),
     row("o", "begin again at the end, or stop there", &[binding(Key::O, Action::Loop)]),
@@ -135,12 +135,12 @@ pub const ROWS: &[Row] = &[
     row("k", "choose keyframes automatically, or not", &[binding(Key::K, Action::Automatic)]),
     row(
         "↑ ↓",
-        "more keyframes, fewer (Shift: ten)",
+        "more keyframes, fewer (Shift: ten), or new frames",
         &[keyframes(Key::Up, 1), keyframes(Key::Down, -1), tenfold(Key::Up, 10), tenfold(Key::Down, -10)],
     ),
     row("b", "the original over the figure, or beside it", &[binding(Key::B, Action::Beside)]),
     row("e", "show or hide error vectors", &[binding(Key::E, Action::Errors)]),
-    row("p", "show or hide the plot of errors", &[binding(Key::P, Action::Plot)]),
+    row("p", "show or hide the plot of errors, or of a warp", &[binding(Key::P, Action::Plot)]),
     row("f", "bring everything into the picture", &[binding(Key::F, Action::Frame)]),
     row("c", "move along with the figure, or stay", &[binding(Key::C, Action::Follow)]),
     row(

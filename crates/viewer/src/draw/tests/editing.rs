@@ -4,7 +4,7 @@ use skeleton::Representation;
 
 use super::*;
 use crate::draw::canvas::Color;
-use crate::scene::Plot;
+use crate::scene::{Plot, Stroke};
 
 const SIZE: (usize, usize) = (960, 540);
 
@@ -23,6 +23,13 @@ fn vector(from: Vec3, to: Vec3) -> Mark {
     Mark { from: Some(from), to, text: String::new(), text_offset: (0, 0), tint: Tint::Error }
 }
 
+fn stroke_of(representation: Representation) -> Stroke {
+    match representation {
+        Representation::Euler => Stroke::Solid,
+        Representation::Quaternion => Stroke::Dashed,
+    }
+}
+
 /// A rising curve in each representation, from the lower left corner, and the present state at the end of one.
 fn plot() -> Plot {
     let mut plot = Plot { upwards: "error".into(), rightwards: "frames".into(), ..Plot::default() };
@@ -34,7 +41,7 @@ fn plot() -> Plot {
     }
     for (representation, height) in [(Representation::Euler, 1.0), (Representation::Quaternion, 0.6)] {
         let curve = plot.curves.add();
-        curve.representation = representation;
+        (curve.name, curve.stroke) = (representation.name().into(), stroke_of(representation));
         curve.points.extend((0..=100).map(|i| (i as f32 / 100.0, height * (i as f32 / 100.0).powi(3))));
     }
     plot.mark = Some((1.0, 1.0));
@@ -120,7 +127,7 @@ fn a_plot_lies_inside_of_every_picture_that_has_room_for_it() {
 fn curves_rise_to_the_right_one_is_solid_and_the_other_dashed() {
     let canvas = drawn(&with_plot(1.0), SIZE);
     for (representation, solid) in [(Representation::Euler, true), (Representation::Quaternion, false)] {
-        let color = colors::curve(representation).channels();
+        let color = colors::curve(stroke_of(representation)).channels();
         let close = |pixel: Color| pixel.channels().iter().zip(color).all(|(a, b)| a.abs_diff(b) < 40);
         let mut curve = places(&canvas, close);
         // Its name stands to the right of it, and at first both lie upon each other.

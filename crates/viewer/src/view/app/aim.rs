@@ -52,6 +52,7 @@ impl App {
         let angles = (azimuth.to_radians(), elevation.to_radians());
         self.camera = self.stage.camera_from(angles, anchor, &[], size);
         self.camera.zoom(1.0 / zoom);
+        self.step_back(size);
         self.offset = self.camera.target - anchor;
         self.aim = Aim::Stay;
     }
@@ -66,7 +67,7 @@ impl App {
             Shown::Student(answers) => answers.posed(frame).map(|posed| &posed.pose),
         };
         let camera = self.present_camera(self.stage.anchor_of(&reference));
-        let view = self.camera_between(camera).view(size);
+        let view = self.with_room(self.camera_between(camera), size).view(size);
         let spots = self.stage.places(posed.unwrap_or(&reference)).map(|place| view.project(place));
         let distances = spots.enumerate().filter_map(|(joint, spot)| {
             let spot = spot?;
@@ -99,18 +100,21 @@ impl App {
             (Aim::Stay, _) | (Aim::Meet, None) => {}
             (Aim::Begin, students) => {
                 self.camera = self.stage.camera(anchor, students.unwrap_or_default(), size);
+                self.step_back(size);
                 self.offset = self.camera.target - anchor;
                 self.aim = if students.is_some() { Aim::Stay } else { Aim::Meet };
             }
             (Aim::Meet, Some(students)) => {
                 let angles = (self.camera.azimuth, self.camera.elevation);
                 self.camera = self.stage.camera_from(angles, anchor, students, size);
+                self.step_back(size);
                 self.offset = self.camera.target - anchor;
                 self.aim = Aim::Stay;
             }
             (Aim::Everything, students) => {
                 let points = [places, students.unwrap_or_default()].concat();
                 self.camera.frame(&points, size, MARGIN, 0.5 * self.stage.size());
+                self.step_back(size);
                 self.offset = self.camera.target - anchor;
                 self.aim = Aim::Stay;
             }

@@ -103,11 +103,11 @@ impl App {
     /// What is wanted of the motion; nothing while it is shown as it is.
     pub fn wish(&self) -> Option<Wish> {
         let settings = &self.settings.edit;
-        let representation = settings.interpolated()?;
+        let representation = self.interpolated()?;
         let keys = match settings.automatic {
             true => Keys::Automatic(self.keyframe_count()),
             false => {
-                let (start, end) = self.player.range();
+                let (start, end) = self.ends();
                 Keys::Ends(start, end)
             }
         };
@@ -154,7 +154,12 @@ impl App {
 
     /// What has come of the [`wish`](App::wish) so far; nothing when there is none.
     pub fn editing(&self) -> Option<&Editing> {
-        self.settings.edit.interpolated().map(|_| &self.editing)
+        self.interpolated().map(|_| &self.editing)
+    }
+
+    /// How frames are interpolated, if any are. Of a pair that is the original's.
+    pub(super) fn interpolated(&self) -> Option<Representation> {
+        self.settings.edit.interpolated().filter(|_| self.warp.is_none())
     }
 
     /// The edited motion, as far as it is there.

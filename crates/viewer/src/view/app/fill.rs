@@ -55,7 +55,7 @@ impl App {
 
         let (stage, settings) = (&self.stage, self.settings);
         let beside = self.beside();
-        scene.camera = self.camera_between(self.camera);
+        scene.camera = self.with_room(self.camera_between(self.camera), size);
         scene.ground = stage.ground();
         scene.style = settings.style;
         scene.size = stage.size();
@@ -118,6 +118,11 @@ impl App {
         scene.timeline = self.timeline();
         if let Some(edited) = edited.as_ref().filter(|_| settings.words) {
             scene.keyframes.extend_from_slice(&edited.keyframes);
+        }
+        if let Some(stretch) = self.stretch().filter(|_| settings.words) {
+            scene.keyframes.extend(stretch);
+            scene.keyframes.sort_unstable();
+            scene.keyframes.dedup();
         }
         self.fill_plot(&mut scene.plot);
         if settings.words {

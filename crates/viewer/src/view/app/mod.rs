@@ -8,6 +8,7 @@ mod plot;
 mod sister;
 #[cfg(test)]
 mod tests;
+mod warp;
 
 use std::sync::Arc;
 
@@ -20,6 +21,7 @@ use crate::motion::stage::{Stage, tips};
 use crate::scene::Style;
 use crate::view::answers::Answers;
 use crate::view::player::Player;
+use crate::view::warp::Warp;
 use crate::window::keys::Action;
 
 use aim::Aim;
@@ -52,6 +54,8 @@ pub struct Settings {
     pub follow: bool,
     /// Whether the student's points are shown.
     pub points: bool,
+    /// Whether the curve of a time warp is shown.
+    pub curve: bool,
     /// Whether the keys are explained.
     pub help: bool,
     /// Whether it is a picture that nobody can do anything with, and not a window.
@@ -74,6 +78,7 @@ impl Default for Settings {
             traces: true,
             follow: true,
             points: true,
+            curve: true,
             help: false,
             still: false,
             words: true,
@@ -89,6 +94,8 @@ pub struct App {
     /// What is drawn, and how.
     pub settings: Settings,
     stage: Arc<Stage>,
+    /// The file's name, and what tells the motion from others of this file.
+    file: String,
     title: String,
     warnings: Vec<String>,
     /// Why the file cannot be read as it is now.
@@ -104,6 +111,11 @@ pub struct App {
     editing: Editing,
     /// Of an exercise on editing.
     sister: Option<Sister>,
+    /// How it is warped.
+    warp: Option<Warp>,
+    /// Whether it is shown with a warped one, or is one; and the stretch that is warped of the other.
+    paired: bool,
+    stretch: Option<[usize; 2]>,
     memory: Memory,
 }
 
@@ -125,22 +137,28 @@ impl App {
     pub fn new(stage: Arc<Stage>, title: String, warnings: Vec<String>, size: (usize, usize)) -> App {
         let anchor = stage.anchor(0);
         let camera = stage.camera(anchor, &[], size);
-        App {
+        let mut app = App {
             settings: Settings::default(),
             player: Player::new(stage.frame_count(), stage.motion().playable_frame_time()),
             offset: camera.target - anchor,
             camera,
             tips: tips(stage.motion().skeleton().joints()),
+            warp: stage.warp().map(Warp::new),
             stage,
-            title,
+            file: title,
+            title: String::new(),
             warnings,
             unreadable: Vec::new(),
             aim: Aim::Meet,
             selected: None,
             editing: Editing::default(),
             sister: None,
+            paired: false,
+            stretch: None,
             memory: Memory::default(),
-        }
+        };
+        app.name();
+        app
     }
 
     /// Shows another state of the same motion, whose file has changed. What can stay as it is does.
@@ -163,6 +181,7 @@ impl App {
         }
         self.warnings = warnings;
         self.unreadable.clear();
+        self.name();
     }
 
     /// The file cannot be read as it is now, for this reason; what could be read of it before stays.
@@ -185,7 +204,7 @@ impl App {
         &self.stage
     }
 
-    /// The file's name.
+    /// The file's name, and how the motion is warped.
     pub fn title(&self) -> &str {
         &self.title
     }
@@ -218,7 +237,7 @@ impl App {
     /// A line for the window's title bar.
     pub fn window_title(&self) -> String {
         let playing = if self.player.is_playing() { " · playing" } else { "" };
-        let edited = match self.settings.edit.interpolated() {
+        let edited = match self.interpolated() {
             None => String::new(),
             Some(representation) if self.settings.edit.automatic => {
                 format!(" · {} keyframes, {representation}", self.keyframe_count())

@@ -1,4 +1,4 @@
-//! The plot of errors: how they grow with the number of interpolated frames.
+//! The plot of errors: how they grow with the number of interpolated frames. A warped motion has the curve of its warp instead.
 
 use std::fmt::Write;
 
@@ -6,7 +6,8 @@ use skeleton::Representation;
 
 use super::App;
 use crate::edit::{Edited, is_too_long};
-use crate::scene::{Plot, Pool, Tick};
+use crate::motion::time_map::TimeMap;
+use crate::scene::{Plot, Pool, Stroke, Tick};
 use crate::view::texts::write_number;
 
 /// The most points of a curve: more could not be told apart.
@@ -19,8 +20,15 @@ const MOST_STEPS: f64 = 4.0;
 const ABOVE: f64 = 0.06;
 
 impl App {
-    /// Makes `plot` that of the edited motion, if it is wanted and there is anything to show.
+    /// Makes `plot` that of the edited motion, or of the warped one, if it is wanted and there is anything to show.
     pub(super) fn fill_plot(&self, plot: &mut Option<Plot>) {
+        if let Some(map) = self.time_map() {
+            match self.settings.curve && self.settings.words && map.frame_count() > 0 {
+                true => self.fill_curve(plot.get_or_insert_with(Plot::default), &map),
+                false => *plot = None,
+            }
+            return;
+        }
         let edited = self.editing().filter(|_| self.settings.edit.plot && self.settings.words);
         let Some(editing) = edited.filter(|editing| editing.failure.is_none()) else {
             *plot = None;
@@ -29,11 +37,7 @@ impl App {
         let plot = plot.get_or_insert_with(Plot::default);
         write(&mut plot.upwards, format_args!("accumulated error (units²)"));
         write(&mut plot.rightwards, format_args!("interpolated frames"));
-        plot.note.clear();
-        plot.mark = None;
-        plot.columns.clear();
-        plot.rows.clear();
-        plot.curves.clear();
+        clear(plot);
         match &editing.edited {
             Some(edited) if edited.curves.is_some() => curves(plot, edited),
             _ if is_too_long(&self.stage, self.stage.moving_frames()) => {
@@ -46,6 +50,78 @@ impl App {
                 _ => write(&mut plot.note, format_args!("calculating…")),
             },
         }
+    }
+
+    /// The curve of the warp `map`, with the shown frame on it.
+    fn fill_curve(&self, plot: &mut Plot, map: &TimeMap) {
+        write(&mut plot.upwards, format_args!("original frame"));
+        write(&mut plot.rightwards, format_args!("new frame"));
+        clear(plot);
+        plot.small = true;
+        let frame = self.frame();
+        places(plot, map.old_count(), map.frame_count(), &map.corners(), (frame, map.position(frame)));
+        let widest = last_of(map.old_count().max(map.frame_count()));
+        let stretch = map.keyframes().into_iter().flatten();
+        plot.posts.extend(stretch.map(|(_, new)| (new as f64 / widest) as f32));
+    }
+}
+
+/// The curve through `points`, pairs of a new frame and where it is in the old motion, beside that of a motion of `old` frames
+/// that gets `new` frames and is as fast as before. `now` is the shown frame.
+fn places(plot: &mut Plot, old: usize, new: usize, points: &[(usize, f64)], now: (usize, f64)) {
+    let (widest, highest) = (last_of(old.max(new)), last_of(old));
+    let place = |(new, old): (usize, f64)| ((new as f64 / widest) as f32, (old / highest) as f32);
+    whole_ticks(&mut plot.columns, old.max(new));
+    whole_ticks(&mut plot.rows, old);
+    let straight = [(0, 0.0), (old.saturating_sub(1), old.saturating_sub(1) as f64)];
+    for (name, stroke, points) in
+        [("as fast", Stroke::Faint, &straight[..]), ("warped", Stroke::Solid, points)]
+    {
+        let curve = plot.curves.add();
+        write(&mut curve.name, format_args!("{name}"));
+        curve.stroke = stroke;
+        curve.points.clear();
+        curve.points.extend(points.iter().copied().map(place));
+    }
+    plot.mark = Some(place(now));
+}
+
+/// The last of so many frames, as a number to divide by.
+fn last_of(count: usize) -> f64 {
+    positive(count.saturating_sub(1) as f64)
+}
+
+/// Round numbers of frames, and the last one.
+fn whole_ticks(ticks: &mut Pool<Tick>, count: usize) {
+    let last = count.saturating_sub(1);
+    let most = last_of(count);
+    let step = round_step(most / MOST_STEPS).max(1.0) as usize;
+    let mut add = |frame: usize| {
+        let tick = ticks.add();
+        tick.at = (frame as f64 / most) as f32;
+        write(&mut tick.label, format_args!("{frame}"));
+    };
+    // Where the last one is near, there is no room for another number.
+    let near = |frame: usize| (last - frame) as f64 * MOST_STEPS < 0.6 * most;
+    (0..last).step_by(step).filter(|frame| !near(*frame)).for_each(&mut add);
+    add(last);
+}
+
+/// Takes out what was in the plot.
+fn clear(plot: &mut Plot) {
+    plot.note.clear();
+    plot.mark = None;
+    plot.small = false;
+    plot.columns.clear();
+    plot.rows.clear();
+    plot.posts.clear();
+    plot.curves.clear();
+}
+
+fn stroke(representation: Representation) -> Stroke {
+    match representation {
+        Representation::Euler => Stroke::Solid,
+        Representation::Quaternion => Stroke::Dashed,
     }
 }
 
@@ -64,7 +140,8 @@ fn curves(plot: &mut Plot, edited: &Edited) {
     for representation in Representation::ALL {
         let errors = errors(representation);
         let curve = plot.curves.add();
-        curve.representation = representation;
+        write(&mut curve.name, format_args!("{}", representation.name()));
+        curve.stroke = stroke(representation);
         curve.points.clear();
         let last = errors.len().saturating_sub(1);
         let step = errors.len().div_ceil(MOST_POINTS).max(1);

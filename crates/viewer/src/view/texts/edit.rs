@@ -62,7 +62,7 @@ pub fn write_hint(facts: &Facts, panel: &mut Panel) {
 
 fn heading(facts: &Facts, panel: &mut Panel) {
     let (app, frames) = (facts.app, facts.app.stage().moving_frames());
-    let ((start, end), automatic) = (app.player().range(), app.settings.edit.automatic);
+    let ((start, end), automatic) = (app.ends(), app.settings.edit.automatic);
     match frames {
         0 => panel.add(Line::Heading, "no frames to interpolate"),
         1 => panel.add(Line::Heading, "one frame: nothing to interpolate"),

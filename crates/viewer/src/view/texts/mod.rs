@@ -9,6 +9,7 @@ mod number;
 mod points;
 mod sister;
 mod state;
+mod warp;
 
 use std::fmt::Write;
 
@@ -26,6 +27,7 @@ use crate::window::keys;
 
 pub use bone::OfBones;
 use number::Rounded;
+pub use warp::write_title as write_warp;
 
 /// What the words are about.
 pub struct Facts<'a> {
@@ -94,9 +96,15 @@ impl Facts<'_> {
         self.has_room(800.0, 450.0)
     }
 
-    /// Whether there is room for a plot beside what is more important.
+    /// Whether there is room for a plot beside what is more important. The curve of a warp takes less.
     fn has_room_for_plot(&self) -> bool {
-        self.has_room(720.0, 440.0)
+        let (width, height) = if self.app.time_map().is_some() { (440.0, 440.0) } else { (720.0, 440.0) };
+        self.has_room(width, height)
+    }
+
+    /// Whether there is room for points: beside each other two figures have little of it.
+    fn has_room_for_points(&self) -> bool {
+        self.is_roomy() || (self.has_room(300.0, 300.0) && !self.app.is_paired())
     }
 
     /// Whether the picture has at least this much room.
@@ -119,7 +127,7 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
         // Nothing is edited, and why is told above.
     } else if let Some(editing) = facts.app.editing() {
         edit::write(facts, editing, begin(panels, Corner::TopLeft));
-    } else if (edit.errors || edit.plot) && !settings.still {
+    } else if (edit.errors || edit.plot) && !settings.still && !facts.app.is_paired() {
         edit::write_hint(facts, begin(panels, Corner::TopLeft));
     }
     if !settings.still {
@@ -128,7 +136,7 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
     let before_plot = panels.len();
     // A figure that is covered by words is of no use.
     let (room, roomy) = (facts.has_room(300.0, 300.0), facts.is_roomy());
-    if settings.points && room {
+    if settings.points && facts.has_room_for_points() {
         let corner = if roomy { Corner::TopRight } else { Corner::BottomLeft };
         points::write(facts, begin(panels, corner));
     }

@@ -20,6 +20,7 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
         panel.add(Line::Text, "The last state of the file that could be read stays.");
     }
     frame(facts, panel);
+    super::warp::write(facts, panel);
     for warning in facts.app.warnings() {
         panel.add(Line::Trouble, warning);
     }
@@ -58,6 +59,9 @@ fn frame(facts: &Facts, panel: &mut Panel) {
     };
     let (frame, time) = (player.frame(), player.frame() as f64 * seconds);
     match player.is_playing() {
+        true if player.is_waiting() => {
+            panel.add(Line::Text, format_args!("frame {frame} / {count}    {time:.2} s    at the end"));
+        }
         true => panel.add(
             Line::Text,
             format_args!(
