@@ -11,7 +11,7 @@ use super::values::{Side, parse_rate, parse_scale, parse_size, parse_speed};
 use super::warp::WarpArguments;
 use crate::live::mover::Mover;
 use crate::live::package::Package;
-use crate::motion::source::{Source, USUAL_RATE};
+use crate::motion::source::{Source, USUAL_RATE, Warping};
 use crate::motion::upright::Up;
 use crate::output::frames::{self, FrameRange};
 use crate::scene::Style;
@@ -174,7 +174,7 @@ impl Arguments {
         let name = match self.exercise {
             // A short motion with full turns shows most of what can be wrong between two frames.
             Package::Interpolation => "dance.bvh",
-            Package::Acclaim => "walk.amc",
+            Package::Acclaim | Package::TimeWarp => "walk.amc",
             Package::Fk | Package::Keyframes => "running.bvh",
         };
         let default = || vec![workspace.join("data").join(name)];
@@ -185,7 +185,9 @@ impl Arguments {
             up: self.up,
             ..Source::new(path)
         };
-        Ok(self.warp.beside(files::sources(&files, source)?))
+        let twice = Warping { frames: None, keyframes: None };
+        let usual = (self.exercise == Package::TimeWarp).then_some(twice);
+        Ok(self.warp.beside(files::sources(&files, source)?, usual))
     }
 
     /// What to write, when there is to be no window.

@@ -44,8 +44,8 @@ pub fn write(arguments: &Arguments, output: &Output, sources: &[Source]) -> Resu
 /// What pictures are made of.
 struct Studio {
     gallery: Gallery,
-    /// Those of each motion; none when the reference's figure is shown.
-    answers: Vec<Recorded>,
+    /// Those of each motion; none where the reference's figure is shown.
+    answers: Vec<Option<Recorded>>,
     screen: Screen,
     size: (usize, usize),
     /// The frames of the first motion that become pictures.
@@ -95,26 +95,37 @@ impl Studio {
         let built = worker::compile(mover.package(), &workspace(), &version);
         let mut worker = built.map(|program| program.worker());
         for motion in 0..self.gallery.apps().len() {
+            if !mover.moves(self.gallery.apps()[motion].stage()) {
+                self.answers.push(None);
+                continue;
+            }
             let recorded = match &mut worker {
                 Err(trouble) => Recorded::new(mover, Status::Failed(trouble.clone().into())),
                 Ok(worker) => self.record(mover, worker, motion),
             };
             let shown = |frame: &usize| self.gallery.frame_at_the_time_of(0, *frame, motion);
             tell(&recorded, self.frames.iter().map(shown));
-            self.answers.push(recorded);
+            self.answers.push(Some(recorded));
         }
         if let Ok(worker) = &mut worker {
             // What is printed while other questions are answered is about nothing that the picture shows.
             version.hush(true);
             let board = Arc::new(Board::of(worker, mover.package()));
-            self.answers.iter_mut().for_each(|recorded| recorded.standing.board = Some(board.clone()));
+            for recorded in self.answers.iter_mut().flatten() {
+                recorded.standing.board = Some(board.clone());
+            }
         }
     }
 
     fn record(&self, mover: Mover, worker: &mut WorkerProcess, motion: usize) -> Recorded {
         let app = &self.gallery.apps()[motion];
-        let frames = self.frames.iter().flat_map(|frame| self.seen_with(motion, *frame));
-        let mut recorded = Recorded::ask(mover, worker, app.stage(), frames);
+        let mut recorded = if mover.frames_at_once(app.stage(), 0) == app.stage().frame_count() {
+            // Whoever makes all frames at once is asked for all.
+            Recorded::ask(mover, worker, app.stage(), 0..app.stage().frame_count())
+        } else {
+            let frames = self.frames.iter().flat_map(|frame| self.seen_with(motion, *frame));
+            Recorded::ask(mover, worker, app.stage(), frames)
+        };
         if app.selected().is_some() && app.settings.words {
             for frame in &self.frames {
                 recorded.ask_details(
@@ -149,8 +160,8 @@ impl Studio {
 
     fn draw_now(&mut self) {
         let answers = &self.answers;
-        let shown =
-            |motion: usize| answers.get(motion).map_or(Shown::Reference, |answers| Shown::Student(answers));
+        let of = |motion: usize| answers.get(motion).and_then(Option::as_ref);
+        let shown = |motion: usize| of(motion).map_or(Shown::Reference, |answers| Shown::Student(answers));
         self.screen.update(&mut self.gallery, shown, self.size);
     }
 

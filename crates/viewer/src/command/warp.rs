@@ -50,9 +50,9 @@ impl WarpArguments {
         (frames.is_some() || keyframes.is_some()).then_some(Warping { frames, keyframes })
     }
 
-    /// Each motion, and behind it the same one warped, where any is.
-    pub fn beside(&self, sources: Vec<Source>) -> Vec<Source> {
-        let Some(warping) = self.warping() else { return sources };
+    /// Each motion, and behind it the same one warped, where any is: as it is said here, or else as `usual`.
+    pub fn beside(&self, sources: Vec<Source>, usual: Option<Warping>) -> Vec<Source> {
+        let Some(warping) = self.warping().or(usual) else { return sources };
         let both = |source: Source| [source.clone(), Source { warp: Some(warping), ..source }];
         sources.into_iter().flat_map(both).collect()
     }

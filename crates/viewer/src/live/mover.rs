@@ -1,6 +1,7 @@
 //! The exercises whose functions pose figures by themselves.
 
 use crate::live::package::Package;
+use crate::live::student::time_warp;
 use crate::motion::stage::Stage;
 
 /// An exercise whose functions say, for each frame, where everything is. How its functions are asked for frames is
@@ -12,6 +13,8 @@ pub enum Mover {
     Fk,
     /// Acclaim forward kinematics: of bones.
     Acclaim,
+    /// Time warping: of all frames of a warped motion at once.
+    TimeWarp,
 }
 
 impl Mover {
@@ -20,6 +23,7 @@ impl Mover {
         match self {
             Mover::Fk => Package::Fk,
             Mover::Acclaim => Package::Acclaim,
+            Mover::TimeWarp => Package::TimeWarp,
         }
     }
 
@@ -27,7 +31,15 @@ impl Mover {
     pub fn needs_bones(self) -> bool {
         match self {
             Mover::Fk => false,
-            Mover::Acclaim => true,
+            Mover::Acclaim | Mover::TimeWarp => true,
+        }
+    }
+
+    /// Whether its functions move the motion on `stage`: of a pair only the warped one has anything to do with time warping.
+    pub fn moves(self, stage: &Stage) -> bool {
+        match self {
+            Mover::Fk | Mover::Acclaim => true,
+            Mover::TimeWarp => stage.warp().is_some(),
         }
     }
 
@@ -36,16 +48,26 @@ impl Mover {
         match self {
             Mover::Fk => &[2],
             Mover::Acclaim => &[1, 2],
+            Mover::TimeWarp => &[2],
+        }
+    }
+
+    /// How many frames of the motion are asked about at once, where it is to be about so many `joints`.
+    pub(crate) fn frames_at_once(self, stage: &Stage, joints: usize) -> usize {
+        match self {
+            // Part 3 makes the whole motion, whether one frame of it is wanted or all.
+            Mover::TimeWarp if time_warp::is_asked_whole(stage) => stage.frame_count(),
+            _ => (joints / self.frame_size(stage)).max(1),
         }
     }
 
     /// How much memory the answer for one frame of the motion takes, in joints.
-    pub(crate) fn frame_size(self, stage: &Stage) -> usize {
+    fn frame_size(self, stage: &Stage) -> usize {
         let joints = stage.motion().skeleton().len();
         // The place of a bone takes as much as two joints.
         let bones = stage.bones().map_or(0, |bones| bones.motion().skeleton().len());
         match self {
-            Mover::Fk => joints.max(1),
+            Mover::Fk | Mover::TimeWarp => joints.max(1),
             Mover::Acclaim => (joints + 2 * bones).max(1),
         }
     }

@@ -20,6 +20,8 @@ pub enum Package {
     Keyframes,
     /// Acclaim forward kinematics: your functions move the bones
     Acclaim,
+    /// Time warping: your functions make the motion slower or faster
+    TimeWarp,
 }
 
 impl Package {
@@ -28,6 +30,7 @@ impl Package {
         match self {
             Package::Fk => Some(Mover::Fk),
             Package::Acclaim => Some(Mover::Acclaim),
+            Package::TimeWarp => Some(Mover::TimeWarp),
             Package::Interpolation | Package::Keyframes => None,
         }
     }
@@ -64,7 +67,7 @@ mod tests {
 
     #[test]
     fn every_exercise_that_can_be_shown_is_a_package_of_its_name() {
-        let names = ["fk", "interpolation", "keyframes", "acclaim"];
+        let names = ["fk", "interpolation", "keyframes", "acclaim", "time-warp"];
         assert_eq!(Package::value_variants().iter().map(|package| package.name()).collect::<Vec<_>>(), names);
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         for package in Package::value_variants() {

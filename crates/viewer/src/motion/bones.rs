@@ -35,6 +35,11 @@ impl Bones {
         &self.motion
     }
 
+    /// How many joints stand for bones, with the End Sites.
+    pub fn joint_count(&self) -> usize {
+        self.of_joints.len()
+    }
+
     /// The bone that starts at joint `joint` (from 0), or ends at it when it is an End Site.
     pub fn of_joint(&self, joint: usize) -> BoneId {
         self.of_joints.get(joint).copied().unwrap_or(BoneId::ROOT)

@@ -68,8 +68,7 @@ impl TimeMap {
 
     /// Where the new motion's frame `index` is in the old one, as one number.
     pub fn position(&self, index: usize) -> f64 {
-        let Between { before, after, t } = self.place(index);
-        before as f64 + f64::from(t) * (after - before) as f64
+        position_of(self.place(index))
     }
 
     /// Where the new motion's frame `index` (from 0) is in the old one. Behind the last frame it is the last one.
@@ -123,6 +122,11 @@ impl TimeMap {
         corners.dedup();
         corners.into_iter().map(|corner| (corner, self.position(corner))).collect()
     }
+}
+
+/// A place between two frames as one number.
+pub fn position_of(Between { before, after, t }: Between) -> f64 {
+    before as f64 + f64::from(t) * (after as f64 - before as f64)
 }
 
 /// From which new frame on the last one of `old` frames is shown, of which `new` are made.

@@ -73,7 +73,7 @@ impl Recorded {
         frames: impl IntoIterator<Item = usize>,
     ) -> Recorded {
         let mut recorded = Recorded::new(mover, Status::Answered);
-        let most = (JOINTS_AT_ONCE / mover.frame_size(stage)).max(1);
+        let most = mover.frames_at_once(stage, JOINTS_AT_ONCE);
         let mut ranges = VecDeque::from(ranges(frames.into_iter().collect(), most));
         let mut costly = 0;
         while let Some(frames) = ranges.pop_front() {

@@ -150,7 +150,7 @@ impl Session {
 
     /// Makes the screen's picture what is to be seen now in a window of `size` pixels. Gives whether it has changed.
     pub fn draw(&mut self, screen: &mut Screen, size: (usize, usize)) -> bool {
-        let answers = self.functions.answers(self.sources.len());
+        let answers = self.functions.answers(&self.stages);
         screen.update(&mut self.gallery, |motion| shown(&answers, motion), size)
     }
 
@@ -167,7 +167,7 @@ impl Session {
             }
             Gesture::Scrub { pressed, now } => self.gallery.scrub(pressed, now, size),
             Gesture::Click(x, y) => {
-                let answers = self.functions.answers(self.sources.len());
+                let answers = self.functions.answers(&self.stages);
                 for tile in self.gallery.tiles(size) {
                     if let Some(place) = tile.inside((x, y)) {
                         let shown = shown(&answers, tile.motion);
@@ -193,15 +193,19 @@ fn read_in_background(source: Source) -> Receiver<Reading> {
 }
 
 impl Functions {
-    /// The student's answers for each of `count` motions; none when the reference's functions are shown.
-    fn answers(&self, count: usize) -> Vec<OfMotion<'_>> {
+    /// The student's answers for the motion on each of `stages`; none where the reference's functions are shown.
+    fn answers(&self, stages: &[Arc<Stage>]) -> Vec<Option<OfMotion<'_>>> {
         match self {
-            Functions::Student(live) => (0..count).map(|motion| live.of(motion)).collect(),
+            Functions::Student(live) => {
+                let of = |(motion, stage): (usize, &Arc<Stage>)| live.moves(stage).then(|| live.of(motion));
+                stages.iter().enumerate().map(of).collect()
+            }
             Functions::Sister(_) | Functions::Reference(..) => Vec::new(),
         }
     }
 }
 
-fn shown<'a>(answers: &'a [OfMotion], motion: usize) -> Shown<'a> {
-    answers.get(motion).map_or(Shown::Reference, |answers| Shown::Student(answers))
+fn shown<'a>(answers: &'a [Option<OfMotion>], motion: usize) -> Shown<'a> {
+    let answers = answers.get(motion).and_then(Option::as_ref);
+    answers.map_or(Shown::Reference, |answers| Shown::Student(answers))
 }

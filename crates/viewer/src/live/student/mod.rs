@@ -23,6 +23,7 @@ use std::thread;
 use exam::Subject;
 
 pub(crate) use ask::details as ask_details;
+pub(crate) use ask::time_warp;
 pub use ask::{PATIENCE, ask};
 pub(crate) use narrow::explain;
 pub use posed::{Details, Extra, Posed};

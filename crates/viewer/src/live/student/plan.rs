@@ -47,6 +47,8 @@ pub(super) struct MotionPlan {
     pub(super) shown: usize,
     pub(super) window: Window,
     pieces: Pieces,
+    /// Whether the functions have anything to do with this motion.
+    asked: bool,
     /// Some frame was answered: the functions do come back.
     warm: bool,
     /// The frame that was asked last while it was on show.
@@ -241,9 +243,10 @@ impl Plan {
 
 impl MotionPlan {
     pub(super) fn new(mover: Mover, stage: Arc<Stage>, reading: u64, most_batches: usize) -> MotionPlan {
-        let batch_size = (JOINTS_PER_BATCH / mover.frame_size(&stage)).max(1);
+        let batch_size = mover.frames_at_once(&stage, JOINTS_PER_BATCH);
         let window = Window::new(stage.frame_count(), batch_size, most_batches);
         let mut motion = MotionPlan {
+            asked: mover.moves(&stage),
             stage,
             reading,
             shown: 0,
@@ -259,7 +262,9 @@ impl MotionPlan {
     fn begin(&mut self) {
         (self.warm, self.heard) = (false, None);
         self.pieces.clear();
-        (0..self.window.count()).for_each(|batch| self.forget(batch));
+        if self.asked {
+            (0..self.window.count()).for_each(|batch| self.forget(batch));
+        }
     }
 
     /// The batch is to be asked, again or for the first time.

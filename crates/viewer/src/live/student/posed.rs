@@ -2,7 +2,7 @@
 
 use exam::fk::LocalAnswer;
 use skeleton::Pose;
-use skeleton::acclaim::{BoneId, BonePlace};
+use skeleton::acclaim::{Between, BoneId, BonePlace};
 
 /// What the functions made of one frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,13 @@ pub enum Extra {
     },
     /// Acclaim forward kinematics: where each bone is; nothing for one that was not visited.
     Bones(Vec<Option<BonePlace>>),
+    /// Time warping.
+    Warp {
+        /// How many frames part 3 gives, where it was asked.
+        given: Option<usize>,
+        /// Where part 1 says the frame is, where it was asked.
+        place: Option<Between>,
+    },
 }
 
 /// What single parts answer when they are asked by themselves, in order to explain a joint or a bone.
@@ -35,6 +42,13 @@ pub enum Details {
     /// Acclaim forward kinematics: the bones in the order in which part 3 visits them, up to twice as many as there are and
     /// one more.
     Visits(Vec<BoneId>),
+    /// Time warping: what part 2 makes of the frames between which this one is.
+    Blended {
+        /// Of the right ones.
+        right: Pose,
+        /// Of those that part 1 names; nothing where they are not there.
+        own: Option<Pose>,
+    },
 }
 
 impl Posed {
@@ -42,7 +56,7 @@ impl Posed {
     pub fn places(&self) -> Option<&[Option<BonePlace>]> {
         match &self.extra {
             Extra::Bones(places) => Some(places),
-            Extra::Angles { .. } => None,
+            Extra::Angles { .. } | Extra::Warp { .. } => None,
         }
     }
 }

@@ -124,7 +124,7 @@ impl App {
             scene.keyframes.sort_unstable();
             scene.keyframes.dedup();
         }
-        self.fill_plot(&mut scene.plot);
+        self.fill_plot(&mut scene.plot, shown);
         if settings.words {
             scale_bar(scene, size);
             let facts = Facts {

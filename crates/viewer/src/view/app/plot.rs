@@ -4,10 +4,13 @@ use std::fmt::Write;
 
 use skeleton::Representation;
 
-use super::App;
+use super::{App, Shown};
 use crate::edit::{Edited, is_too_long};
-use crate::motion::time_map::TimeMap;
+use crate::live::student::Extra;
+use crate::live::student::time_warp::MOST_PLACES;
+use crate::motion::time_map::{TimeMap, position_of};
 use crate::scene::{Plot, Pool, Stroke, Tick};
+use crate::view::answers::Answers;
 use crate::view::texts::write_number;
 
 /// The most points of a curve: more could not be told apart.
@@ -21,10 +24,10 @@ const ABOVE: f64 = 0.06;
 
 impl App {
     /// Makes `plot` that of the edited motion, or of the warped one, if it is wanted and there is anything to show.
-    pub(super) fn fill_plot(&self, plot: &mut Option<Plot>) {
+    pub(super) fn fill_plot(&self, plot: &mut Option<Plot>, shown: Shown) {
         if let Some(map) = self.time_map() {
             match self.settings.curve && self.settings.words && map.frame_count() > 0 {
-                true => self.fill_curve(plot.get_or_insert_with(Plot::default), &map),
+                true => self.fill_curve(plot.get_or_insert_with(Plot::default), &map, shown),
                 false => *plot = None,
             }
             return;
@@ -52,17 +55,52 @@ impl App {
         }
     }
 
-    /// The curve of the warp `map`, with the shown frame on it.
-    fn fill_curve(&self, plot: &mut Plot, map: &TimeMap) {
+    /// The curve of the warp `map`, with the shown frame on it; and that of a student's part 1, where it has answered.
+    fn fill_curve(&self, plot: &mut Plot, map: &TimeMap, shown: Shown) {
         write(&mut plot.upwards, format_args!("original frame"));
         write(&mut plot.rightwards, format_args!("new frame"));
         clear(plot);
         plot.small = true;
         let frame = self.frame();
-        places(plot, map.old_count(), map.frame_count(), &map.corners(), (frame, map.position(frame)));
+        let now = (frame, map.position(frame));
+        places(plot, map.old_count(), map.frame_count(), &map.corners(), now);
+        if let Shown::Student(answers) = shown {
+            self.add_students(plot, map, answers);
+        }
         let widest = last_of(map.old_count().max(map.frame_count()));
         let stretch = map.keyframes().into_iter().flatten();
         plot.posts.extend(stretch.map(|(_, new)| (new as f64 / widest) as f32));
+    }
+}
+
+impl App {
+    /// Adds the curve of a student's part 1, and moves the mark to it. The other one shows then how it should be.
+    fn add_students(&self, plot: &mut Plot, map: &TimeMap, answers: &dyn Answers) {
+        let (widest, highest) = (last_of(map.old_count().max(map.frame_count())), last_of(map.old_count()));
+        let at = |frame: usize| match answers.posed(frame)?.extra {
+            Extra::Warp { place: Some(place), .. } => {
+                Some(((frame as f64 / widest) as f32, (position_of(place) / highest) as f32))
+            }
+            _ => None,
+        };
+        let points = (0..map.frame_count()).step_by(map.frame_count().div_ceil(MOST_PLACES)).filter_map(at);
+        // What is behind the original's end has no place in the plot.
+        let mut points = points.take_while(|(_, old)| *old <= 1.0).peekable();
+        if points.peek().is_none() {
+            return;
+        }
+        if let Some(right) = plot.curves.items_mut().last_mut() {
+            write(&mut right.name, format_args!("expected"));
+            right.stroke = Stroke::Dashed;
+        }
+        let curve = plot.curves.add();
+        write(&mut curve.name, format_args!("yours"));
+        curve.stroke = Stroke::Solid;
+        curve.points.clear();
+        curve.points.extend(points);
+        if let Some(now) = at(self.frame()) {
+            plot.mark = Some(now);
+        }
     }
 }
 

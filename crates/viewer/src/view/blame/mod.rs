@@ -4,6 +4,7 @@
 
 pub mod bone;
 pub mod joint;
+pub mod warp;
 
 use glam::Quat;
 use grading::fk::{ROTATION_TOLERANCE, angle_between};

@@ -10,6 +10,7 @@ mod points;
 mod sister;
 mod state;
 mod warp;
+mod warped;
 
 use std::fmt::Write;
 
@@ -67,7 +68,7 @@ impl Facts<'_> {
     fn student_locals(&self) -> Option<&[LocalAnswer]> {
         match self.details()? {
             Details::Locals(locals) => Some(locals),
-            Details::Visits(_) => None,
+            Details::Visits(_) | Details::Blended { .. } => None,
         }
     }
 
@@ -81,9 +82,14 @@ impl Facts<'_> {
     /// Whether what is shown is what the exercise on bones makes of the motion.
     fn is_of_bones(&self) -> bool {
         match self.shown {
-            Shown::Student(answers) => answers.mover() == Mover::Acclaim,
+            Shown::Student(answers) => answers.mover().needs_bones(),
             Shown::Reference => self.app.settings.bones && self.edited.is_none(),
         }
+    }
+
+    /// Whether what is shown is a student's warped motion.
+    fn is_of_warp(&self) -> bool {
+        matches!(self.shown, Shown::Student(answers) if answers.mover() == Mover::TimeWarp)
     }
 
     /// How things stand with the student's functions, whatever they do.
@@ -143,6 +149,7 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
     if facts.app.selected().is_some() && room {
         let panel = begin(panels, Corner::TopRight);
         match facts.bones {
+            Some(_) if facts.is_of_warp() => warped::write_joint(facts, panel),
             Some(bones) => bone::write(facts, bones, panel),
             None => joint::write(facts, panel),
         }

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::number::Rounded;
-use super::{Facts, bones};
+use super::{Facts, bones, warped};
 use crate::live::student::{Extra, Posed, Status};
 use crate::motion::upright::Up;
 use crate::scene::{Line, Panel};
@@ -41,6 +41,9 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
     match facts.posed.filter(|_| facts.standing.is_none_or(|standing| standing.current)) {
         Some(Posed { extra: Extra::Angles { taken, available }, .. }) => angles(*taken, *available, panel),
         Some(Posed { extra: Extra::Bones(places), .. }) => bones::visited(facts, places, panel),
+        Some(Posed { extra: Extra::Warp { given, place }, .. }) => {
+            warped::write(facts, *given, *place, panel)
+        }
         None => {}
     }
     bones::in_other_orders(facts, panel);

@@ -2,6 +2,7 @@
 
 pub(super) mod acclaim;
 pub(super) mod fk;
+pub(crate) mod time_warp;
 
 use std::ops::Range;
 use std::time::Duration;
@@ -49,6 +50,7 @@ pub(super) fn poses(
     match mover {
         Mover::Fk => fk::poses(subject, stage, frames.map(|index| stage.frame(index)).collect(), limit),
         Mover::Acclaim => acclaim::poses(subject, stage, frames, limit),
+        Mover::TimeWarp => time_warp::poses(subject, stage, frames, limit),
     }
 }
 
@@ -67,6 +69,7 @@ pub(crate) fn details(
             fk::locals(subject, joints, stage.frame(frame).angles, limit).map(Details::Locals)
         }
         Mover::Acclaim => acclaim::visits(subject, stage, limit).map(Details::Visits),
+        Mover::TimeWarp => time_warp::details(subject, stage, frame, limit),
     }
 }
 

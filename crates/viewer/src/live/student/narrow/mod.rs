@@ -2,6 +2,7 @@
 
 mod bone;
 mod joint;
+mod warp;
 
 use exam::{Failure, Subject};
 
@@ -12,7 +13,7 @@ use crate::motion::stage::Stage;
 /// What is known about the place.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Place {
-    /// The joint or the bone at which it happens: `joint Hips`.
+    /// The joint or the bone at which it happens: `joint Hips`. Nothing in time warping, which blends all of them.
     pub(super) at: Option<String>,
     /// The part, from 0, in which it happens.
     pub(super) part: Option<usize>,
@@ -41,6 +42,7 @@ pub(super) fn find(
     match mover {
         Mover::Fk => joint::find(subject, stage, index, failure),
         Mover::Acclaim => bone::find(subject, stage, index, failure),
+        Mover::TimeWarp => warp::find(subject, stage, index, failure),
     }
 }
 

@@ -1,0 +1,143 @@
+//! Time warping. The functions make postures, and the reference places the bones.
+
+use std::ops::Range;
+use std::time::Duration;
+
+use exam::time_warp::{Answer as WarpAnswer, Question as WarpQuestion};
+use exam::{Answer, Failure, Question, Subject};
+use skeleton::Pose;
+use skeleton::acclaim::{Between, Posture};
+
+use super::{PIECE_LIMIT, unfit};
+use crate::live::student::posed::{Details, Extra, Posed};
+use crate::motion::bones::Bones;
+use crate::motion::stage::Stage;
+use crate::motion::time_map::TimeMap;
+
+/// With more bones than this in all frames together part 3 is not asked: its answer has to fit into memory.
+const MOST_BONES: usize = 1_000_000;
+
+/// Part 1 is asked about so many frames, evenly spread: enough for a curve.
+pub(crate) const MOST_PLACES: usize = 1_000;
+
+/// Whether part 3 makes the warped motion on `stage`. Otherwise, in a stretch between keyframes and where there are too many
+/// frames, the places of frames are right ones, and part 2 blends what is there.
+pub(crate) fn is_asked_whole(stage: &Stage) -> bool {
+    let bones = stage.bones().map_or(0, |bones| bones.motion().skeleton().len());
+    let fits = |count: usize| count.saturating_mul(bones) <= MOST_BONES;
+    matches!(stage.warp(), Some(TimeMap::Whole { old, new }) if fits(old) && fits(new))
+}
+
+/// Asks for `frames` of a warped motion. What is not warped, or has no bones, is not asked about.
+pub(in crate::live::student) fn poses(
+    subject: &mut impl Subject,
+    stage: &Stage,
+    frames: Range<usize>,
+    limit: Duration,
+) -> Result<Vec<Posed>, Failure> {
+    let (Some(bones), Some(map)) = (stage.bones(), stage.warp()) else {
+        let joints = stage.motion().skeleton().len();
+        let nothing = || Extra::Warp { given: None, place: None };
+        return Ok(frames.map(|_| Posed { pose: Bones::nowhere(joints), extra: nothing() }).collect());
+    };
+    if !is_asked_whole(stage) {
+        let places: Vec<Between> = frames.map(|index| map.place(index)).collect();
+        let postures = blends(subject, bones, &places, limit)?;
+        let posed = |posture: &Posture| posed(bones, Some(posture), Extra::Warp { given: None, place: None });
+        return Ok(postures.iter().map(posed).collect());
+    }
+    let old = bones.motion();
+    let postures = (0..old.frame_count()).map(|index| old.posture(index)).collect();
+    let question = WarpQuestion::Motion { postures, new_count: map.frame_count() };
+    let WarpAnswer::Motion(warped) = put(subject, question, limit)? else { return Err(unfit()) };
+    let places = places(subject, &map, frames.clone());
+    let posed = |(index, place): (usize, Option<Between>)| {
+        posed(bones, warped.get(index), Extra::Warp { given: Some(warped.len()), place })
+    };
+    Ok(frames.zip(places).map(posed).collect())
+}
+
+/// Where part 1 says the frames are: some of them, and a single one in any case. Where it fails nothing is known: part 3 need
+/// not call it.
+fn places(subject: &mut impl Subject, map: &TimeMap, frames: Range<usize>) -> Vec<Option<Between>> {
+    let (old_count, new_count) = (map.old_count(), map.frame_count());
+    let step = if frames.len() == 1 { 1 } else { new_count.div_ceil(MOST_PLACES).max(1) };
+    let asked: Vec<usize> = frames.clone().filter(|index| index % step == 0).collect();
+    let question = |new_frame: &usize| {
+        Question::TimeWarp(WarpQuestion::Position { new_frame: *new_frame, old_count, new_count })
+    };
+    let questions: Vec<Question> = asked.iter().map(question).collect();
+    let (answers, _) = subject.ask_all(&questions.iter().collect::<Vec<_>>(), PIECE_LIMIT);
+    let mut places = vec![None; frames.len()];
+    for (index, answer) in asked.iter().zip(answers) {
+        if let Answer::TimeWarp(WarpAnswer::Position(place)) = answer {
+            places[index - frames.start] = Some(place);
+        }
+    }
+    places
+}
+
+/// What part 2 makes of each of these places in the old motion.
+fn blends(
+    subject: &mut impl Subject,
+    bones: &Bones,
+    places: &[Between],
+    limit: Duration,
+) -> Result<Vec<Posture>, Failure> {
+    let questions: Vec<Question> = places.iter().map(|place| blend(bones, *place)).collect();
+    let (answers, failure) = subject.ask_all(&questions.iter().collect::<Vec<_>>(), limit);
+    if let Some(failure) = failure {
+        return Err(failure);
+    }
+    let posture = |answer| match answer {
+        Answer::TimeWarp(WarpAnswer::Blend(posture)) => Ok(posture),
+        _ => Err(unfit()),
+    };
+    let postures = answers.into_iter().map(posture).collect::<Result<Vec<_>, _>>()?;
+    if postures.len() == places.len() { Ok(postures) } else { Err(unfit()) }
+}
+
+fn blend(bones: &Bones, Between { before, after, t }: Between) -> Question {
+    let [from, to] = [before, after].map(|index| bones.motion().posture(index));
+    Question::TimeWarp(WarpQuestion::Blend { from, to, t })
+}
+
+/// Asks part 2 what is in frame `frame`: at its right place, and at that which part 1 says.
+pub(in crate::live::student) fn details(
+    subject: &mut impl Subject,
+    stage: &Stage,
+    frame: usize,
+    limit: Duration,
+) -> Result<Details, Failure> {
+    let (Some(bones), Some(map)) = (stage.bones(), stage.warp()) else { return Err(unfit()) };
+    let own = places(subject, &map, frame..frame + 1).pop().flatten();
+    let is_there = |place: &Between| place.before.max(place.after) < map.old_count();
+    let places: Vec<Between> = [map.place(frame)].into_iter().chain(own.filter(is_there)).collect();
+    let postures = blends(subject, bones, &places, limit)?;
+    let mut poses = postures.iter().map(|posture| pose(bones, posture));
+    let right = poses.next().ok_or_else(unfit)?;
+    Ok(Details::Blended { right, own: poses.next() })
+}
+
+fn posed(bones: &Bones, posture: Option<&Posture>, extra: Extra) -> Posed {
+    let nowhere = || Bones::nowhere(bones.joint_count());
+    Posed { pose: posture.map_or_else(nowhere, |posture| pose(bones, posture)), extra }
+}
+
+/// Where the joints are in a posture, of which bones may be missing: these are not turned.
+fn pose(bones: &Bones, posture: &Posture) -> Pose {
+    let mut pose = Pose::default();
+    bones.pose(&bones.reference(posture), &mut pose);
+    pose
+}
+
+pub(in crate::live::student) fn put(
+    subject: &mut impl Subject,
+    question: WarpQuestion,
+    limit: Duration,
+) -> Result<WarpAnswer, Failure> {
+    match subject.ask(&Question::TimeWarp(question), limit)? {
+        Answer::TimeWarp(answer) => Ok(answer),
+        _ => Err(unfit()),
+    }
+}

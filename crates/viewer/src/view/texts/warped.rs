@@ -1,0 +1,140 @@
+//! What a student's functions make of a warped motion.
+
+use skeleton::JointId;
+use skeleton::acclaim::Between;
+
+use super::Facts;
+use super::number::{Rounded, Row, digits_for};
+use crate::live::student::time_warp::is_asked_whole;
+use crate::live::student::{Details, Extra};
+use crate::motion::time_map::{TimeMap, position_of};
+use crate::scene::{Line, Off, Panel};
+use crate::view::blame::warp::{Blame, Case, blame, is_same_place};
+
+/// Where part 1 says the frame is, and how many frames part 3 gives, where that is not right. Before they are begun nothing
+/// is wrong with that.
+pub fn write(facts: &Facts, given: Option<usize>, place: Option<Between>, panel: &mut Panel) {
+    let stage = facts.app.stage();
+    let Some(map) = stage.warp() else { return };
+    let line = |part: usize| match facts.standing.is_some_and(|standing| standing.board.is_some()) {
+        true if facts.is_begun(part) => Line::Trouble,
+        _ => Line::Text,
+    };
+    if !is_asked_whole(stage) {
+        let why = match map {
+            TimeMap::Stretch { .. } => "in a stretch only your part 2 is at work",
+            TimeMap::Whole { .. } => "with so many frames only your part 2 is at work",
+        };
+        return panel.add(Line::Quiet, why);
+    }
+    if let Some(place) = place.filter(|place| !is_same_place(*place, map.place(facts.app.frame()))) {
+        panel.add(line(0), format_args!("part 1 puts it at {:.2}", position_of(place)));
+    }
+    let wanted = map.frame_count();
+    if let Some(given) = given.filter(|given| *given != wanted) {
+        let frames = if given == 1 { "frame" } else { "frames" };
+        panel.add(line(2), format_args!("part 3 gives {given} {frames}, and {wanted} are wanted"));
+    }
+}
+
+/// Everything about the joint that the user looks at.
+pub fn write_joint(facts: &Facts, panel: &mut Panel) {
+    let Some(id) = facts.app.selected().map(JointId) else { return };
+    let (stage, skeleton) = (facts.app.stage(), facts.app.stage().motion().skeleton());
+    let Some(joint) = skeleton.get(id) else { return };
+    let name = |id| skeleton.get(id).map_or("", |joint| &joint.name);
+    match (joint.is_end_site, joint.parent) {
+        (true, Some(bone)) => panel.add(Line::Heading, format_args!("{}: its end", name(bone))),
+        _ => panel.add(Line::Heading, &joint.name),
+    }
+    let given = facts.solid.and_then(|pose| pose.transforms().get(id.0));
+    let (Some(given), Some(right)) = (given, facts.reference.transforms().get(id.0)) else { return };
+    let (current, digits) =
+        (facts.standing.is_some_and(|standing| standing.current), digits_for(stage.size()));
+    if !current {
+        panel.add(Line::Quiet, "yours: of your last version that worked");
+    }
+    let own_axes = stage.bones().map_or(glam::Quat::IDENTITY, |bones| bones.own_axes(id.0));
+    panel.add(Line::Text, "rotation (x, y, z, w)");
+    panel.add(Line::Key("yours"), Row(&(given.rotation * own_axes).to_array(), 4));
+    panel.add(Line::Key("expected"), Row(&(right.rotation * own_axes).to_array(), 4));
+    panel.add(
+        Line::Text,
+        if joint.is_end_site { "end, in the file's units" } else { "start, in the file's units" },
+    );
+    panel.add(Line::Key("yours"), Row(&given.position.to_array(), digits));
+    panel.add(Line::Key("expected"), Row(&right.position.to_array(), digits));
+    let off = given.position.distance(right.position);
+    if Off::by(off / stage.size()) > Off::Right && off.is_finite() {
+        let percent = Rounded(f64::from(off / stage.size()) * 100.0);
+        panel.add(
+            Line::Key("off by"),
+            format_args!("{}, that is {percent} % of the figure", Rounded(f64::from(off))),
+        );
+    }
+    if current {
+        verdict(facts, id, panel);
+    }
+}
+
+/// Which part is to blame.
+fn verdict(facts: &Facts, joint: JointId, panel: &mut Panel) {
+    let (Some(pose), Some(Extra::Warp { given, place })) =
+        (facts.solid, facts.posed.map(|posed| &posed.extra))
+    else {
+        return;
+    };
+    let stage = facts.app.stage();
+    let Some(map) = stage.warp() else { return };
+    let frame = facts.app.frame();
+    if given.is_some_and(|given| given <= frame) {
+        let line = if facts.is_begun(2) { Line::Trouble } else { Line::Quiet };
+        return panel.add(line, "part 3 gives no such frame");
+    }
+    let case = Case {
+        skeleton: stage.motion().skeleton(),
+        given: pose,
+        expected: facts.reference,
+        // Where only part 2 is at work, places are right.
+        place: place.unwrap_or(map.place(frame)),
+        right_place: map.place(frame),
+        blended: match facts.details() {
+            Some(Details::Blended { right, own }) => Some((right, own.as_ref())),
+            _ => None,
+        },
+        size: stage.size(),
+    };
+    match blame(&case, joint) {
+        Blame::Nobody => panel.add(Line::Right, "right"),
+        Blame::Unclear => {
+            panel.add(Line::Trouble, "one of the parts is to blame: asking parts 1 and 2 by themselves…")
+        }
+        Blame::Parts(parts) => match [0, 1, 2].map(|part| parts[part] && facts.is_begun(part)) {
+            [false, false, false] => panel.add(Line::Quiet, "not right yet: not all parts are started"),
+            begun => told(begun, &case, panel),
+        },
+        Blame::Above(above) => {
+            let name = case.skeleton.get(above).map_or("", |joint| &joint.name);
+            panel.add(Line::Trouble, format_args!("turned rightly itself: it is off because {name} is"));
+        }
+    }
+}
+
+/// What is wrong with parts that are begun.
+fn told(parts: [bool; 3], case: &Case, panel: &mut Panel) {
+    if parts[0] {
+        let [own, right] = [case.place, case.right_place].map(position_of);
+        panel.add(
+            Line::Trouble,
+            format_args!("part 1 is to blame: the frame is not at {own:.2}, but at {right:.2}"),
+        );
+    }
+    if parts[1] {
+        let Between { before, after, t } = case.right_place;
+        panel.add(Line::Trouble, "part 2 is to blame: it turns this bone wrongly");
+        panel.add(Line::Quiet, format_args!("between the frames {before} and {after}, at t = {t:.3}"));
+    }
+    if parts[2] {
+        panel.add(Line::Trouble, "part 3 is to blame: parts 1 and 2 make something else of it");
+    }
+}
