@@ -149,10 +149,15 @@ fn an_endless_loop_or_recursion_in_part_3_is_told_with_its_bone_where_that_is_cl
     let crashed = Failure::Crashed { how: "signal 6".into() };
     for failure in [timed_out, crashed] {
         for (is_bad, at) in [
-            // It never goes on to the sibling of what hangs there.
+            // It never goes on from this bone,
             ((|bone| bone.name == "rfoot") as fn(&Bone) -> bool, "at bone rfoot, in frame 3"),
-            // It calls itself for the same bone.
+            // or from one on which nothing hangs.
+            (|bone| bone.name == "rtoes", "at bone rtoes, in frame 3"),
+            (|bone| bone.is_root(), "at bone root, in frame 3"),
+            // It calls itself for the same bone,
             (|_| true, "in frame 3"),
+            // or for every bone on which others hang.
+            (|bone| bone.child.is_some(), "in frame 3"),
         ] {
             let failure = failure.clone();
             let mut left = Some(Loops { failure: failure.clone(), is_bad });
