@@ -1,7 +1,51 @@
 //! Small motions for tests.
 
+use std::path::Path;
+use std::sync::Arc;
+
 use glam::Vec3;
 use skeleton::{Channel, Motion, Skeleton};
+
+use crate::motion::source::Source;
+use crate::motion::stage::Stage;
+
+/// A file in `data/`.
+pub fn data(name: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name)
+}
+
+/// A walk of bones: 31 of them in 480 frames.
+pub fn walk() -> Arc<Stage> {
+    bones(&data("walk.asf"), &data("walk.amc"))
+}
+
+/// The same walk, with the numbers of the left thigh listed as rz ry rx.
+pub fn walk_in_other_orders() -> Arc<Stage> {
+    let folder = tempfile::tempdir().unwrap();
+    let changed = |name: &str, change: &dyn Fn(&str) -> String| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, change(&std::fs::read_to_string(data(name)).unwrap())).unwrap();
+        path
+    };
+    let skeleton = changed("walk.asf", &|text| {
+        let at = text.find("name lfemur").unwrap();
+        text[..at].to_owned() + &text[at..].replacen("dof rx ry rz", "dof rz ry rx", 1)
+    });
+    let motion = changed("walk.amc", &|text| {
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        for line in lines.iter_mut().filter(|line| line.starts_with("lfemur ")) {
+            let numbers: Vec<&str> = line.split(' ').collect();
+            *line = [numbers[0], numbers[3], numbers[2], numbers[1]].join(" ");
+        }
+        lines.join("\n") + "\n"
+    });
+    bones(&skeleton, &motion)
+}
+
+/// The motion of bones in two files.
+pub fn bones(skeleton: &Path, motion: &Path) -> Arc<Stage> {
+    Source { skeleton: Some(skeleton.into()), ..Source::new(motion) }.read().unwrap().stage
+}
 
 /// A root that walks along X and bobs, a left and a right limb on it, and a tip each.
 pub fn chain(frames: usize, scale: f32) -> Motion {

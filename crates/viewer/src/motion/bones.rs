@@ -93,14 +93,7 @@ const NOWHERE: Transform = Transform { rotation: Quat::NAN, position: Vec3::NAN 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::source::Source;
-    use crate::motion::stage::Stage;
-
-    fn walk() -> std::sync::Arc<Stage> {
-        let data = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/walk");
-        let skeleton = Some(format!("{data}.asf").into());
-        Source { skeleton, ..Source::new(format!("{data}.amc")) }.read().unwrap().stage
-    }
+    use crate::samples::walk;
 
     #[test]
     fn joints_are_where_the_bones_for_which_they_stand_start_and_end() {

@@ -5,6 +5,8 @@
 #![allow(clippy::unwrap_used)]
 
 #[cfg(all(unix, not(target_os = "macos")))]
+mod acclaim;
+#[cfg(all(unix, not(target_os = "macos")))]
 mod display;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod files;
@@ -37,7 +39,7 @@ fn main() {
         println!("NOT RUN: the tests of the window need Xvfb and xdotool (packages xvfb and xdotool).");
     }
     let quick = input::TESTS.iter().chain(files::TESTS).map(|test| (test, false));
-    let slow = live::TESTS.iter().chain(sister::TESTS).map(|test| (test, true));
+    let slow = live::TESTS.iter().chain(sister::TESTS).chain(acclaim::TESTS).map(|test| (test, true));
     let trials = quick.chain(slow).map(|((name, test), slow)| {
         Trial::test(*name, move || {
             test();

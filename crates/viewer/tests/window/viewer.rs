@@ -48,7 +48,8 @@ impl Viewer<'_> {
         listen(process.stdout.take().unwrap(), &terminal);
         listen(process.stderr.take().unwrap(), &terminal);
         let search = || {
-            let found = display.xdotool(&["search", "--name", "bvh"]).filter(|found| !found.is_empty());
+            let found =
+                display.xdotool(&["search", "--name", "[.](bvh|amc)"]).filter(|found| !found.is_empty());
             assert!(process.try_wait().unwrap().is_none(), "it has ended: {}", terminal.lock().unwrap());
             found
         };

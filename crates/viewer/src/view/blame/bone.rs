@@ -1,5 +1,8 @@
 //! Acclaim forward kinematics: a bone, and the three parts.
 
+#[cfg(test)]
+mod tests;
+
 use exam::acclaim::Given;
 use glam::{Quat, Vec3};
 use grading::fk::POSITION_TOLERANCE;

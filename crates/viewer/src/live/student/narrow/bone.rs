@@ -52,32 +52,34 @@ impl<S: Subject> Search<'_, S> {
         }
     }
 
-    /// The bone at which part 3 fails: it does so when it begins with this bone, and not with those that hang on it. Where it
-    /// fails for a bone on which nothing hangs it may do so for all, and which one comes first cannot be told.
+    /// The bone at which part 3 fails: it does so when it begins with this bone, and not when it begins with one that hangs on
+    /// it. Who fails at other bones like it, too, may have done so at any of them: then none is told.
     fn visited(&mut self) -> Option<BoneId> {
         let skeleton = self.bones.motion().skeleton();
-        let (mut at, mut asked) = (BoneId::ROOT, 0);
-        loop {
-            let mut children = skeleton.children(at).peekable();
-            children.peek()?;
+        let (mut above, mut asked) = (vec![BoneId::ROOT], 0);
+        while let Some(at) = above.last() {
             let mut failing = None;
-            for child in children {
+            for child in skeleton.children(*at) {
                 asked += 1;
                 match self.visits(child.id) {
                     _ if asked > MOST_BONES => return None,
                     Ok(_) => {}
-                    Err(false) => return None,
                     Err(true) => {
                         failing = Some(child.id);
                         break;
                     }
+                    Err(false) => return None,
                 }
             }
             match failing {
-                Some(child) => at = child,
-                None => return Some(at),
+                Some(child) => above.push(child),
+                None => break,
             }
         }
+        let found = skeleton.get(*above.last()?)?;
+        let is_like_it = |bone: &&Bone| bone.child.is_some() == found.child.is_some();
+        let like_it = skeleton.bones().iter().filter(is_like_it).find(|bone| !above.contains(&bone.id))?;
+        self.visits(like_it.id).is_ok().then_some(found.id)
     }
 
     /// The first bone at which part 1 or part 2 fails, in the order of the visits.

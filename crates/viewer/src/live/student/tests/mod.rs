@@ -1,3 +1,4 @@
+mod acclaim;
 mod faults;
 
 use std::io;

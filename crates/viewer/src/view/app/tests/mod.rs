@@ -1,5 +1,6 @@
 //! What is shown in which state.
 
+mod bones;
 mod camera;
 mod changes;
 mod editing;
