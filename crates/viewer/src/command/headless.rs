@@ -213,6 +213,9 @@ impl Studio {
     }
 }
 
+/// The most pictures that are made: more would take days.
+const MOST_PICTURES: usize = 1_000_000;
+
 /// The frames of the first motion that become pictures, and how long each is shown. Of a pair they are those of the longer one.
 fn choose(arguments: &Arguments, output: &Output, gallery: &Gallery) -> Result<(Vec<usize>, f64), String> {
     let first = &gallery.apps()[0];
@@ -224,19 +227,27 @@ fn choose(arguments: &Arguments, output: &Output, gallery: &Gallery) -> Result<(
     let film = |format: Format| {
         // Of the chosen frames as many as programs show at their speed.
         let every = format.every(seconds * range.step() as f64);
-        (all.clone().step_by(every).collect(), seconds * (every * range.step()) as f64)
+        Ok::<_, String>((listed(all.clone().step_by(every))?, seconds * (every * range.step()) as f64))
     };
     Ok(match output {
         Output::Png(_) => (vec![arguments.frame()], seconds),
-        Output::Gif(_) => film(Format::Gif),
-        Output::Apng(_) => film(Format::Apng),
-        Output::Sheet(_) if range.step() > 1 => (all.collect(), seconds),
+        Output::Gif(_) => film(Format::Gif)?,
+        Output::Apng(_) => film(Format::Apng)?,
+        Output::Sheet(_) if range.step() > 1 => (listed(all)?, seconds),
         Output::Sheet(_) => {
             let (mut first, mut last) = (all.clone(), all);
             let (first, last) = (first.next().unwrap_or(0), last.next_back().unwrap_or(0));
             (spread(first, last, arguments.pictures.into()), seconds)
         }
     })
+}
+
+/// These frames, if they are not too many.
+fn listed(frames: impl ExactSizeIterator<Item = usize>) -> Result<Vec<usize>, String> {
+    match frames.len() {
+        0..=MOST_PICTURES => Ok(frames.collect()),
+        count => Err(format!("{count} pictures are too many: choose frames with --frames")),
+    }
 }
 
 /// Says in the terminal what is wrong with the student's functions, if anything is, and what that means for the frames that

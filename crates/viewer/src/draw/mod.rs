@@ -64,7 +64,8 @@ impl Painter {
         let bottom = bar.map_or(size.1 as i32, |(_, bar)| bar.top as i32);
         if let Some(ruler) = &scene.scale_bar {
             let length = ruler::pixels(ruler.length, &scene.camera, &view);
-            ruler::draw(ruler, length, scale, bottom, &mut self.typeface, canvas);
+            let right = Panels::left_of_plot(scene.plot.as_ref(), scale, size);
+            ruler::draw(ruler, length, scale, (right, bottom), &mut self.typeface, canvas);
         }
         self.panels.draw((&scene.panels, scene.plot.as_ref()), scale, bottom, &mut self.typeface, canvas);
         if let Some((timeline, bar)) = bar {

@@ -129,6 +129,13 @@ impl Panels {
         }
     }
 
+    /// Where a plot begins in a picture of `size` pixels if it finds room, or where the picture ends: from the left.
+    pub fn left_of_plot(plot: Option<&Plot>, scale: f32, size: (usize, usize)) -> i32 {
+        let right = size.0 as i32;
+        let Some((plot, measures)) = plot.zip(Measures::new(size, scale)) else { return right };
+        right - measures.margin - plot::size(plot, measures.fit).0
+    }
+
     /// Draws the plot where there is room for all of it.
     fn plot(
         &mut self,

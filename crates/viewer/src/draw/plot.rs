@@ -14,6 +14,7 @@ const SMALL: (f32, f32) = (244.0, 200.0);
 const TEXT_SIZE: f32 = 12.0;
 const PADDING: f32 = 10.0;
 const GAP: f32 = 6.0;
+const LAST: f32 = 11.0;
 const LINE: f32 = 15.0;
 const PEN: f32 = 2.2;
 const FAINT_PEN: f32 = 1.2;
@@ -40,7 +41,8 @@ pub(super) fn draw(plot: &Plot, place: Rectangle, fit: f32, typeface: &mut Typef
     canvas.rectangle((place.left, place.top), (place.width, place.height), BACKDROP, BACKDROP_OPACITY);
     let mut ink = Ink { fit, typeface, canvas };
     let frame = ink.frame(plot, place);
-    ink.words(&plot.upwards, (place.left as f32 + ink.pixels(PADDING), frame.top - ink.pixels(GAP)), PLAIN);
+    let above = ink.above(plot);
+    ink.words(&plot.upwards, (place.left as f32 + ink.pixels(PADDING), frame.top - above), PLAIN);
     if frame.width < ink.pixels(4.0 * LINE) || frame.height < ink.pixels(2.0 * LINE) {
         return;
     }
@@ -104,6 +106,11 @@ impl Ink<'_> {
         self.canvas.text(self.typeface, text, place, self.text_size(), Weight::Regular, color);
     }
 
+    /// How far what goes upwards stands above the curves. In a small plot the last number stands at their top.
+    fn above(&self, plot: &Plot) -> f32 {
+        self.pixels(if plot.small { LAST } else { GAP })
+    }
+
     /// What is left for the curves: numbers stand on the left and below, names on the right, what is shown above.
     fn frame(&mut self, plot: &Plot, place: Rectangle) -> Frame {
         let (padding, gap, line) = (self.pixels(PADDING), self.pixels(GAP), self.pixels(LINE));
@@ -112,7 +119,7 @@ impl Ink<'_> {
         let names = if plot.small { 0.0 } else { names.fold(0.0, f32::max) };
         let left = place.left as f32 + padding + numbers.ceil() + gap;
         let rows = if plot.small { 2.0 } else { 1.0 };
-        let top = place.top as f32 + padding + rows * line + gap;
+        let top = place.top as f32 + padding + rows * line + self.above(plot);
         let right = (place.left + place.width) as f32 - padding - names.ceil() - 1.5 * gap;
         let bottom = (place.top + place.height) as f32 - padding - 2.0 * line - 0.5 * gap;
         Frame { left: left.round(), top, width: (right - left).floor(), height: bottom - top }
@@ -135,7 +142,10 @@ impl Ink<'_> {
         for tick in plot.columns.iter().rev() {
             let Some(at) = frame.at((tick.at, 0.0)) else { continue };
             let width = self.width(&tick.label);
-            let left = at.x - 0.5 * width;
+            let mut left = at.x - 0.5 * width;
+            if plot.small {
+                left = left.min(frame.left + frame.width + 0.8 * self.pixels(PADDING) - width);
+            }
             if left + width > free_until {
                 continue;
             }

@@ -29,12 +29,13 @@ pub fn pixels(length: f32, camera: &Camera, view: &View) -> f32 {
     length * (view.focal / camera.distance)
 }
 
-/// Draws the ruler in the middle, above `bottom`. One that would be too long or too short to see is left out.
+/// Draws the ruler in the middle, above `bottom`, or farther to the left where that is not left of `right`. One that would be too
+/// long or too short to see is left out.
 pub(crate) fn draw(
     ruler: &ScaleBar,
     length: f32,
     scale: f32,
-    bottom: i32,
+    (right, bottom): (i32, i32),
     typeface: &mut Typeface,
     canvas: &mut Canvas,
 ) {
@@ -44,8 +45,9 @@ pub(crate) fn draw(
         return;
     }
     let pixels = |length: f32| ((length * scale).round() as i32).max(1);
-    let (left, length) = ((0.5 * (width - length)).round() as i32, length.round() as i32);
     let (line, tick) = (pixels(2.0), pixels(9.0));
+    let middle = (0.5 * (width - length)).min(right as f32 - length - 2.0 * tick as f32).max(tick as f32);
+    let (left, length) = (middle.round() as i32, length.round() as i32);
     let foot = bottom - pixels(12.0);
     let bars = [
         ((left, foot - line), (length, line)),
@@ -94,7 +96,7 @@ mod tests {
             let ruler = ScaleBar { length: raw[2], label: "1 m".into() };
             let mut canvas = Canvas::new(200, 100);
             let length = pixels(raw[2], &camera, &camera.view((200, 100)));
-            draw(&ruler, length, 1.0, bottom, &mut Typeface::without_letters(), &mut canvas);
+            draw(&ruler, length, 1.0, (200, bottom), &mut Typeface::without_letters(), &mut canvas);
         }
     }
 
@@ -106,7 +108,14 @@ mod tests {
         let ruler = ScaleBar { length: 2.0, label: String::new() };
         let mut canvas = Canvas::new(600, 400);
         canvas.clear(Color::WHITE);
-        draw(&ruler, pixels(2.0, &camera, &view), 1.0, 400, &mut Typeface::without_letters(), &mut canvas);
+        draw(
+            &ruler,
+            pixels(2.0, &camera, &view),
+            1.0,
+            (600, 400),
+            &mut Typeface::without_letters(),
+            &mut canvas,
+        );
         let dark = canvas.pixels().iter().enumerate().filter(|(_, pixel)| **pixel == INK.0);
         let columns: Vec<usize> = dark.map(|(index, _)| index % 600).collect();
         let long = (columns.iter().max().unwrap() + 1 - columns.iter().min().unwrap()) as f32;

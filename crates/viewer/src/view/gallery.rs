@@ -69,7 +69,14 @@ impl Gallery {
             Some(motion) => motion..motion + 1,
             None => 0..self.apps.len(),
         };
-        let (columns, rows) = Gallery::grid(shown.len(), size);
+        let (columns, rows) = match self.is_pairs() && shown.len() > 1 {
+            true => {
+                // Both of a pair stand beside each other.
+                let (pairs, rows) = Gallery::grid(shown.len() / 2, (size.0 / 2, size.1));
+                (2 * pairs, rows)
+            }
+            false => Gallery::grid(shown.len(), size),
+        };
         let first = shown.start;
         shown.map(move |motion| {
             let (column, row) = ((motion - first) % columns, (motion - first) / columns);

@@ -19,6 +19,12 @@ impl Gallery {
         self.apps().get(motion).filter(|_| motion > 0)?.warp()
     }
 
+    /// Whether there are pairs and nothing else.
+    pub(super) fn is_pairs(&self) -> bool {
+        let is_pair = |pair: &[App]| pair.len() == 2 && pair[0].warp().is_none() && pair[1].warp().is_some();
+        self.apps().chunks(2).all(is_pair)
+    }
+
     /// Brings both motions of each pair to the same time: that of the longer one.
     pub(super) fn keep_in_step(&mut self) {
         for motion in 1..self.apps().len() {
@@ -101,3 +107,6 @@ impl Gallery {
         warped.warp().map(|_| warped)
     }
 }
+
+#[cfg(test)]
+mod tests;

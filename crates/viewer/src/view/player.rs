@@ -323,6 +323,31 @@ mod tests {
     }
 
     #[test]
+    fn a_shorter_motion_waits_at_its_end_until_the_longer_one_begins_again() {
+        let mut player = Player::new(3, 1.0).waiting(3, 5);
+        player.toggle();
+        let seen = [0.0, 1.0, 1.0, 1.0, 1.0, 1.0].map(|seconds| {
+            player.advance(seconds);
+            (player.frame(), player.time(), player.is_waiting())
+        });
+        let waiting = [(2, 3, true), (2, 4, true)];
+        assert_eq!(seen[..3], [(0, 0, false), (1, 1, false), (2, 2, false)]);
+        assert_eq!(seen[3..5], waiting);
+        assert_eq!(seen[5], (0, 0, false));
+        player.go_to(4);
+        assert_eq!(player.traced(9).collect::<Vec<_>>(), [0, 1, 2], "traces end where it stays");
+        player.reverse();
+        player.toggle();
+        player.advance(1.0);
+        assert_eq!(player.traced(9).collect::<Vec<_>>(), [2]);
+        player.advance(2.0);
+        assert_eq!((player.frame(), player.traced(9).collect::<Vec<_>>()), (1, vec![2, 1]));
+        assert_eq!((player.range(), player.has_range()), ((0, 2), false));
+        let one = Player::new(1, 1.0).waiting(1, 4);
+        assert_eq!((one.waiting(1, 1).count(), one.count(), one.length()), (1, 1, 4));
+    }
+
+    #[test]
     fn a_motion_that_got_shorter_keeps_what_can_be_kept() {
         let mut player = Player::new(10, 1.0);
         player.go_to(8);

@@ -135,7 +135,7 @@ pub const ROWS: &[Row] = &[
     row("k", "choose keyframes automatically, or not", &[binding(Key::K, Action::Automatic)]),
     row(
         "↑ ↓",
-        "more keyframes, fewer (Shift: ten), or new frames",
+        "more keyframes, fewer (Shift: ten); new frames (Shift: one)",
         &[keyframes(Key::Up, 1), keyframes(Key::Down, -1), tenfold(Key::Up, 10), tenfold(Key::Down, -10)],
     ),
     row("b", "the original over the figure, or beside it", &[binding(Key::B, Action::Beside)]),

@@ -18,6 +18,7 @@ const MOST_POINTS: usize = 400;
 
 /// The most steps from number to number on an axis.
 const MOST_STEPS: f64 = 4.0;
+const MOST_WHOLE_STEPS: f64 = 5.0;
 
 /// The share of the height that stays free above the highest error.
 const ABOVE: f64 = 0.06;
@@ -109,11 +110,11 @@ impl App {
 fn places(plot: &mut Plot, old: usize, new: usize, points: &[(usize, f64)], now: (usize, f64)) {
     let (widest, highest) = (last_of(old.max(new)), last_of(old));
     let place = |(new, old): (usize, f64)| ((new as f64 / widest) as f32, (old / highest) as f32);
-    whole_ticks(&mut plot.columns, old.max(new));
-    whole_ticks(&mut plot.rows, old);
+    whole_ticks(&mut plot.columns, old.max(new), steps_beside(old.max(new)));
+    whole_ticks(&mut plot.rows, old, MOST_WHOLE_STEPS);
     let straight = [(0, 0.0), (old.saturating_sub(1), old.saturating_sub(1) as f64)];
     for (name, stroke, points) in
-        [("as fast", Stroke::Faint, &straight[..]), ("warped", Stroke::Solid, points)]
+        [("original", Stroke::Faint, &straight[..]), ("warped", Stroke::Solid, points)]
     {
         let curve = plot.curves.add();
         write(&mut curve.name, format_args!("{name}"));
@@ -129,18 +130,24 @@ fn last_of(count: usize) -> f64 {
     positive(count.saturating_sub(1) as f64)
 }
 
-/// Round numbers of frames, and the last one.
-fn whole_ticks(ticks: &mut Pool<Tick>, count: usize) {
+/// How many steps there may be between numbers that stand beside each other, up to `count`: fewer where they are long.
+fn steps_beside(count: usize) -> f64 {
+    let digits = count.max(1).ilog10() + 1;
+    (24.0 / (f64::from(digits) + 1.4)).min(MOST_WHOLE_STEPS)
+}
+
+/// Round numbers of frames, at most so many `steps` apart, and the last one.
+fn whole_ticks(ticks: &mut Pool<Tick>, count: usize, steps: f64) {
     let last = count.saturating_sub(1);
     let most = last_of(count);
-    let step = round_step(most / MOST_STEPS).max(1.0) as usize;
+    let step = round_step(most / steps).max(1.0) as usize;
     let mut add = |frame: usize| {
         let tick = ticks.add();
         tick.at = (frame as f64 / most) as f32;
         write(&mut tick.label, format_args!("{frame}"));
     };
     // Where the last one is near, there is no room for another number.
-    let near = |frame: usize| (last - frame) as f64 * MOST_STEPS < 0.6 * most;
+    let near = |frame: usize| (last - frame) as f64 * steps < 0.6 * most;
     (0..last).step_by(step).filter(|frame| !near(*frame)).for_each(&mut add);
     add(last);
 }

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::Vec3;
+
 use super::{Aim, App};
 use crate::camera::Camera;
 use crate::motion::stage::Stage;
@@ -13,7 +15,7 @@ use crate::view::warp::Warp;
 const LEAST: (f32, f32) = (440.0, 440.0);
 
 /// How far the figure moves down for this, and how far to the left at most: in pixels, and as a share of the width.
-const DOWN: f32 = 34.0;
+const DOWN: f32 = 42.0;
 const ASIDE: f32 = 0.12;
 
 /// How far it is from the left side of the curve to the right of the picture, in pixels, and how far a figure reaches to both
@@ -21,8 +23,8 @@ const ASIDE: f32 = 0.12;
 const CURVE: f32 = 268.0;
 const REACH: f32 = 0.18;
 
-/// From how much farther away a pair is looked at, so that nothing covers the figures.
-const BACK: f32 = 1.16;
+/// The height that words take above the figures of a pair, and what is below them, in pixels.
+const WORDS: f32 = 262.0;
 
 impl App {
     /// How this motion is warped, if it is.
@@ -118,7 +120,9 @@ impl App {
     /// Looks at a pair from farther away.
     pub(super) fn step_back(&mut self, size: (usize, usize)) {
         if self.aside(size) != (0.0, 0.0) {
-            self.camera.zoom(BACK);
+            let high = self.stage.breadth(Vec3::Y) * self.camera.view(size).focal / self.camera.distance;
+            let room = (size.1 as f32 - WORDS * self.settings.text_scale).max(1.0);
+            self.camera.zoom((high / room).max(1.0));
         }
     }
 }

@@ -166,15 +166,23 @@ fn begin(panels: &mut Pool<Panel>, corner: Corner) -> &mut Panel {
     panel
 }
 
-/// All keys, in two columns where one would be too high.
+/// All keys, in two columns where one would be too high. Of a pair that has little room each has one of them.
 fn help(facts: &Facts, panels: &mut Pool<Panel>) {
     let count = keys::help().count();
+    if facts.app.is_paired() && !facts.is_roomy() {
+        let half = count.div_ceil(2);
+        let (from, to) = if facts.app.time_map().is_some() { (half, count) } else { (0, half) };
+        return keys_between(from, to, begin(panels, Corner::TopLeft));
+    }
     // With a line for each, and what stands above.
     let first = if facts.has_room(0.0, 20.0 * count as f32 + 160.0) { count } else { count.div_ceil(2) };
     for (corner, from, to) in [(Corner::TopLeft, 0, first), (Corner::TopRight, first, count)] {
-        let panel = begin(panels, corner);
-        keys::help().take(to).skip(from).for_each(|(name, help)| panel.add(Line::Key(name), help));
+        keys_between(from, to, begin(panels, corner));
     }
+}
+
+fn keys_between(from: usize, to: usize, panel: &mut Panel) {
+    keys::help().take(to).skip(from).for_each(|(name, help)| panel.add(Line::Key(name), help));
 }
 
 /// A number as people read it.
