@@ -1,7 +1,7 @@
 //! Small motions for tests.
 
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::Vec3;
 use skeleton::{Channel, Motion, Skeleton};
@@ -16,7 +16,8 @@ pub fn data(name: &str) -> std::path::PathBuf {
 
 /// A walk of bones: 31 of them in 480 frames.
 pub fn walk() -> Arc<Stage> {
-    bones(&data("walk.asf"), &data("walk.amc"))
+    static WALK: OnceLock<Arc<Stage>> = OnceLock::new();
+    WALK.get_or_init(|| bones(&data("walk.asf"), &data("walk.amc"))).clone()
 }
 
 /// The same walk, with the numbers of the left thigh listed as rz ry rx.

@@ -62,7 +62,7 @@ impl Mover {
     }
 
     /// How much memory the answer for one frame of the motion takes, in joints.
-    fn frame_size(self, stage: &Stage) -> usize {
+    pub(crate) fn frame_size(self, stage: &Stage) -> usize {
         let joints = stage.motion().skeleton().len();
         // The place of a bone takes as much as two joints.
         let bones = stage.bones().map_or(0, |bones| bones.motion().skeleton().len());

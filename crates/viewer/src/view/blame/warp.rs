@@ -92,3 +92,6 @@ fn is_turned_alike(case: &Case, one: &Pose, other: &Pose, joint: JointId) -> boo
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

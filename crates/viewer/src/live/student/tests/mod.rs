@@ -1,5 +1,6 @@
 mod acclaim;
 mod faults;
+mod warp;
 
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,0 +1,139 @@
+//! Functions that warp time.
+
+use skeleton::acclaim::{Between, Posture, TimeWarpFunctions};
+
+use super::*;
+use crate::motion::time_map::TimeMap;
+
+/// The walk, and the same warped by `map`.
+fn pair(map: TimeMap) -> Vec<Arc<Stage>> {
+    let walk = samples::walk();
+    vec![walk.clone(), Arc::new(walk.warped(map))]
+}
+
+fn whole(new: usize) -> TimeMap {
+    TimeMap::Whole { old: 480, new }
+}
+
+fn student(functions: TimeWarpFunctions, map: TimeMap) -> Student {
+    let open = move |_: &Version| Ok(InProcess(Functions::TimeWarp(functions)));
+    Student::start(Mover::TimeWarp, pair(map), open, quiet)
+}
+
+/// How far joints of a pose are from where the reference warps them, at most.
+fn off(student: &Student, frame: usize, map: TimeMap) -> f32 {
+    let right = samples::walk().warped(map).reference(frame);
+    let pairs = student.pose(1, frame).unwrap().pose.transforms().iter().zip(right.transforms());
+    pairs.map(|(own, right)| own.position.distance(right.position)).fold(0.0, f32::max)
+}
+
+#[test]
+fn the_answers_are_those_of_the_functions_in_every_frame_and_the_original_is_not_asked_about() {
+    for new in [240, 480, 960] {
+        let mut student = student(solutions::TIME_WARP, whole(new));
+        for frame in (0..new).step_by(61).chain([new - 1]) {
+            update_until(&mut student, &[5, frame], is_current(1, frame));
+            assert!(off(&student, frame, whole(new)) < 1e-2, "{new}: {frame}");
+        }
+        let at = whole(new).place(61);
+        let place = Some(at);
+        assert_eq!(student.pose(1, 61).unwrap().extra, Extra::Warp { given: Some(new), place });
+        update_until(&mut student, &[5, 0], |student| student.standing(1, 5).board.is_some());
+        assert_eq!(student.standing(1, 5).board.unwrap().title, "Time warping: 15 of 15 points.");
+        assert!(student.pose(0, 5).is_none());
+    }
+}
+
+#[test]
+fn frames_that_part_3_does_not_give_are_nowhere() {
+    let mut student = student(grading::time_warp::TEMPLATE, whole(960));
+    for (frame, is_there) in [(479, true), (480, false)] {
+        update_until(&mut student, &[0, frame], is_current(1, frame));
+        let posed = student.pose(1, frame).unwrap();
+        let place = Some(Between { before: frame, after: frame, t: 0.0 });
+        assert_eq!(posed.extra, Extra::Warp { given: Some(480), place });
+        assert_eq!(posed.pose.transforms()[0].position.is_finite(), is_there);
+    }
+}
+
+fn fails(_: usize, _: usize, _: usize) -> Between {
+    panic!("not part 1")
+}
+
+fn fails_too(_: &[Posture], _: usize) -> Vec<Posture> {
+    panic!("not part 3")
+}
+
+#[test]
+fn in_a_stretch_part_2_is_at_work_and_no_other() {
+    let map = TimeMap::stretch(480, (100, 160), 200).unwrap();
+    let functions = TimeWarpFunctions { old_position: fails, warp: fails_too, ..solutions::TIME_WARP };
+    let mut student = student(functions, map);
+    for frame in [0, 100, 101, 299, 300, 619] {
+        update_until(&mut student, &[0, frame], is_current(1, frame));
+        assert!(off(&student, frame, map) < 1e-2, "{frame}");
+        assert_eq!(student.pose(1, frame).unwrap().extra, Extra::Warp { given: None, place: None });
+    }
+}
+
+#[test]
+fn of_a_million_frames_only_those_near_the_shown_one_are_asked_for() {
+    let functions = TimeWarpFunctions { warp: fails_too, ..solutions::TIME_WARP };
+    let mut student = student(functions, whole(1_000_000));
+    for frame in [0, 777_777, 999_999] {
+        update_until(&mut student, &[0, frame], is_current(1, frame));
+        assert!(off(&student, frame, whole(1_000_000)) < 1e-2, "{frame}");
+    }
+    assert!(student.pose(1, 500_000).is_none());
+}
+
+#[test]
+fn a_panic_is_told_with_its_part() {
+    fn blend(_: &Posture, _: &Posture, _: f32) -> Posture {
+        panic!("not part 2")
+    }
+    fn first(old: &[Posture], new: usize) -> Vec<Posture> {
+        fails(0, old.len(), new);
+        Vec::new()
+    }
+    let right = solutions::TIME_WARP;
+    for (functions, part) in [
+        (TimeWarpFunctions { old_position: fails, warp: first, ..right }, "in part1, old_position"),
+        (TimeWarpFunctions { blend, warp: |_, _| panic!("not part 2"), ..right }, "in part2, blend"),
+        (TimeWarpFunctions { warp: fails_too, ..right }, "in part3, warp"),
+    ] {
+        let mut student = student(functions, whole(960));
+        let with_part =
+            |student: &Student| trouble(student, 1, 7).filter(|trouble| trouble.details.len() > 1);
+        update_until(&mut student, &[0, 7], |student| with_part(student).is_some());
+        let trouble = with_part(&student).unwrap();
+        assert!(trouble.headline.contains("not part "), "{trouble:?}");
+        assert_eq!(trouble.details, ["in frame 7", part]);
+    }
+}
+
+#[test]
+fn a_part_1_that_fails_costs_the_curve_and_nothing_else() {
+    let functions = TimeWarpFunctions { old_position: fails, ..solutions::TIME_WARP };
+    let mut student = student(functions, whole(960));
+    update_until(&mut student, &[0, 7], is_current(1, 7));
+    assert!(off(&student, 7, whole(960)) < 1e-2);
+    assert_eq!(student.pose(1, 7).unwrap().extra, Extra::Warp { given: Some(960), place: None });
+}
+
+#[test]
+fn parts_1_and_2_are_asked_by_themselves_when_it_is_wanted() {
+    // Half a frame late.
+    let late =
+        |new_frame, old, new| Between { t: 1.0, ..(solutions::TIME_WARP.old_position)(new_frame, old, new) };
+    let functions = TimeWarpFunctions { old_position: late, ..solutions::TIME_WARP };
+    let mut student = student(functions, whole(960));
+    update_until(&mut student, &[0, 7], is_current(1, 7));
+    assert_eq!(student.details(1, 7), None);
+    update_until(&mut student, &[0, 7], |student| student.known_details(1, 7).is_some());
+    let Some(Details::Blended { right, own: Some(own) }) = student.details(1, 7) else { panic!() };
+    let root = |pose: &Pose| pose.transforms()[0].position;
+    let walk = samples::walk();
+    assert!(root(own).distance(root(&walk.reference(4))) < 1e-3);
+    assert!(root(right).distance(root(&walk.warped(whole(960)).reference(7))) < 1e-3);
+}
