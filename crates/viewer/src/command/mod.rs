@@ -1,6 +1,7 @@
 //! The command `cargo view`.
 
 mod arguments;
+mod convert;
 mod edited;
 mod files;
 mod headless;
@@ -18,7 +19,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 
 use crate::live::worker::Trouble;
-use crate::motion::source::{self, Loaded, Source};
+use crate::motion::source::{self, Source};
 use crate::view::app::App;
 use crate::view::gallery::Gallery;
 use crate::view::session::Session;
@@ -31,7 +32,7 @@ use arguments::Output;
 /// line that cannot be understood.
 pub fn run() -> ExitCode {
     let arguments = Arguments::parse();
-    if let Err(why) = arguments.keyframes.check_mode() {
+    if let Err(why) = convert::check(&arguments) {
         Arguments::command().error(ErrorKind::ArgumentConflict, why).exit();
     }
     match view(&arguments) {
@@ -46,20 +47,20 @@ pub fn run() -> ExitCode {
 fn view(arguments: &Arguments) -> Result<(), String> {
     let sources = arguments.sources(&workspace())?;
     let pictures = arguments.output();
-    for target in pictures.iter().map(Output::target).chain(arguments.keyframes.targets()) {
+    for target in pictures.iter().map(Output::target).chain(arguments.new_files()) {
         targets::check(target, &sources)?;
     }
     if arguments.print {
         return sources.iter().try_for_each(|source| {
-            say(&report(source, &source.read().map_err(text)?));
+            say(&print::report(source, &source.read().map_err(text)?));
             Ok(())
         });
     }
     if let Some(output) = pictures {
         return headless::write(arguments, &output, &sources);
     }
-    if !arguments.keyframes.targets().is_empty() {
-        return keyframes::write(&arguments.keyframes, &sources);
+    if !arguments.new_files().is_empty() {
+        return convert::write(arguments, &sources);
     }
 
     let mut apps = Vec::new();
@@ -87,7 +88,7 @@ fn open(arguments: &Arguments, source: &Source, count: usize, is_first: bool) ->
             if is_first {
                 arguments.check_frame(source, loaded)?;
             }
-            say(&report(source, loaded));
+            say(&print::report(source, loaded));
         }
         Err(error) => eprintln!("{error}"),
     }
@@ -98,16 +99,6 @@ fn open(arguments: &Arguments, source: &Source, count: usize, is_first: bool) ->
         app.cannot_read(&error.to_string());
     }
     Ok(app)
-}
-
-/// What is printed of a motion: its name, its skeleton, a summary, and what is odd about the file.
-fn report(source: &Source, loaded: &Loaded) -> String {
-    let warnings = match &loaded.warnings[..] {
-        [] => "warnings         none\n".to_owned(),
-        some => some.iter().map(|warning| format!("warning          {warning}\n")).collect(),
-    };
-    let (title, motion) = (source.title(), loaded.stage.motion());
-    format!("{title}\n\n{}\n{}{warnings}", print::tree(motion.skeleton()), print::summary(motion))
 }
 
 /// Writes to the standard output. Whoever reads there may have gone, as `head` does; that is no reason to fail.
