@@ -131,7 +131,7 @@ mod tests {
             write_both([&paths[0], &paths[1]], |one, two| {
                 one.write_all(text.as_bytes())?;
                 two.write_all(text.as_bytes())?;
-                if fails { Err(io::ErrorKind::StorageFull.into()) } else { Ok(()) }
+                if fails { Err(io::Error::from(io::ErrorKind::StorageFull)) } else { Ok(()) }
             })
         };
         let names = || fs::read_dir(folder.path()).unwrap().count();
