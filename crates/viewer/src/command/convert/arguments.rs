@@ -12,9 +12,9 @@ use crate::motion::source::ends_in;
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "New motions")]
 pub struct OutArguments {
-    /// Writes the motion: as .bvh; as .amc with its skeleton in an .asf file beside it; or that skeleton alone as .asf. With
-    /// --warp it is the warped motion. From .bvh to .bvh, and where anything is said about keyframes, it is reduced to these,
-    /// with all frames between them interpolated, so that every program plays it
+    /// Writes the motion as another file, and opens no window: as .bvh, as .amc with its skeleton in an .asf beside it, or
+    /// that .asf alone; warped with --warp. From .bvh to .bvh, and with --keyframes, it is reduced to keyframes and all frames
+    /// between them are interpolated, so that every program plays it
     #[arg(long, value_name = "MOTION", group = "reduction")]
     out: Option<PathBuf>,
 

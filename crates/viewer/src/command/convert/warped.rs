@@ -60,7 +60,7 @@ pub fn write_bones(
             &format!(
                 "three for every bone that moves: the two of {} would be off by {} degrees in frame {}",
                 printable(bone),
-                number(freed.degrees, 2),
+                number(freed.degrees, 3),
                 freed.frame
             ),
         );

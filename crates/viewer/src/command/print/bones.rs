@@ -45,9 +45,9 @@ pub fn tree(skeleton: &Skeleton, joints: &skeleton::Skeleton) -> String {
         let long = if bone.is_root() { String::new() } else { length(bone.length.into(), extent) };
         let [x, y, z] = match bone.is_root() {
             true => [const { String::new() }; 3],
-            false => bone.direction.to_array().map(|part| number(part.into(), 3)),
+            false => bone.direction.to_array().map(part),
         };
-        let [a, b, c] = bone.axis.angles.map(short);
+        let [a, b, c] = bone.axis.angles.map(|angle| short(without_noise(angle)));
         let letters = letters(&bone.axis);
         let order = order(if letters == "XYZ" { "" } else { &letters });
         let dofs: Vec<String> = bone.dofs.iter().map(dof).collect();
@@ -82,6 +82,16 @@ fn dof(dof: &DegreeOfFreedom) -> String {
         true => format!("{dof} {}..{}", side(dof.low), side(dof.high)),
         false => dof.to_string(),
     }
+}
+
+/// A part of a direction, which is at most 1.
+fn part(value: f32) -> String {
+    number(without_noise(value).into(), 3)
+}
+
+/// What is next to nothing beside 1, or as an angle in degrees, is a zero: it comes of rounding.
+fn without_noise(value: f32) -> f32 {
+    if value.abs() < 5e-4 { 0.0 } else { value }
 }
 
 /// A number with as few digits behind the point as it takes, and no more than three.
@@ -158,5 +168,28 @@ fn still(motion: &Motion) -> String {
         0 if names.is_empty() => "none: there are numbers for all bones with degrees of freedom".into(),
         0 => names.join(", "),
         more => format!("{}, and {more} more", names.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use skeleton::Channel;
+
+    use super::*;
+
+    #[test]
+    fn limits_are_told_on_the_sides_on_which_there_are_some() {
+        let channel = Channel::Rotation(Axis::Y);
+        let told = |low: f32, high: f32| dof(&DegreeOfFreedom { channel, low, high });
+        assert_eq!(told(f32::NEG_INFINITY, f32::INFINITY), "ry");
+        assert_eq!(told(-120.0, 28.6479), "ry -120..28.648");
+        assert_eq!(told(f32::NEG_INFINITY, 0.0), "ry ..0");
+        assert_eq!(told(-0.5, f32::INFINITY), "ry -0.5..");
+    }
+
+    #[test]
+    fn rounding_errors_are_zeros_and_what_is_no_number_is_told() {
+        assert_eq!([-4.5e-11, -0.0, 0.978_148, f32::NAN].map(part), ["0.000", "0.000", "0.978", "NaN"]);
+        assert_eq!([30.0, 0.05, 1e9, -0.0].map(short), ["30", "0.05", "1e9", "0"]);
     }
 }
