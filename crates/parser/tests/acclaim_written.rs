@@ -179,6 +179,27 @@ fn names_of_skeletons_that_would_be_read_as_something_else_are_refused() {
 }
 
 #[test]
+fn frames_that_do_not_fit_are_refused_one_by_one() {
+    let reason = |result: std::io::Result<()>| {
+        let inner = result.expect_err("a frame that does not fit").into_inner().expect("a reason");
+        *inner.downcast::<WriteError>().expect("a reason of ours")
+    };
+    let columns = Columns::new(figure());
+    let (mut out, row) = (Vec::new(), vec![1.5; columns.len()]);
+    let mut writer = acclaim::MotionWriter::new(&columns, &mut out).expect("a beginning");
+    writer.write_row(&row).expect("a frame");
+    let expected = WriteError::Row { frame: 2, columns: row.len(), found: 1 };
+    assert_eq!(reason(writer.write_row(&[1.0])), expected);
+    let mut bad = row.clone();
+    bad[6] = f32::NAN;
+    assert_eq!(reason(writer.write_row(&bad)), WriteError::Value { frame: 2, bone: "thigh".into() });
+    writer.write_row(&row).expect("a frame");
+    writer.finish().expect("the end");
+    let whole = Motion::new(columns, 2, [row.clone(), row].concat()).expect("two frames");
+    assert_eq!(String::from_utf8(out).expect("a text"), write_motion(&whole));
+}
+
+#[test]
 fn a_full_disk_is_reported() {
     struct Full;
     impl std::io::Write for Full {
@@ -293,5 +314,16 @@ proptest! {
         prop_assert_eq!(again.frame_count(), motion.frame_count());
         prop_assert_eq!(again.columns().still(), motion.columns().still());
         prop_assert_eq!(write_motion(&again), text);
+    }
+
+    #[test]
+    fn frame_by_frame_comes_out_what_the_whole_motion_does(motion in any_motion()) {
+        let mut out = Vec::new();
+        let mut writer = acclaim::MotionWriter::new(motion.columns(), &mut out).expect("a beginning");
+        for frame in 0..motion.frame_count() {
+            writer.write_row(motion.row(frame).expect("a frame")).expect("a frame that can be written");
+        }
+        writer.finish().expect("the end");
+        prop_assert_eq!(String::from_utf8(out).expect("a text"), write_motion(&motion));
     }
 }

@@ -139,6 +139,30 @@ fn skeletons_without_a_place_in_the_format_are_refused() {
 }
 
 #[test]
+fn rows_that_do_not_fit_are_refused_one_by_one() {
+    let reason = |result: std::io::Result<()>| {
+        let inner = result.expect_err("a row that does not fit").into_inner().expect("a reason");
+        *inner.downcast::<WriteError>().expect("a reason of ours")
+    };
+    let mut out = Vec::new();
+    let mut writer = bvh::Writer::new(&one_joint("a"), 2, 0.5, &mut out).expect("a beginning");
+    writer.write_row(&[1.0]).expect("a row");
+    let expected = WriteError::Row { frame: 2, channels: 1, found: 2 };
+    assert_eq!(reason(writer.write_row(&[1.0, 2.0])), expected);
+    assert_eq!(reason(writer.write_row(&[f32::NAN])), WriteError::Value { frame: 2, column: 1 });
+    writer.write_row(&[2.0]).expect("a row");
+    assert_eq!(reason(writer.write_row(&[3.0])), WriteError::Frames { declared: 2, found: 3 });
+    writer.finish().expect("all rows");
+    assert_eq!(String::from_utf8(out).expect("a text"), write(&motion(one_joint("a"), &[1.0, 2.0])));
+
+    let mut writer = bvh::Writer::new(&one_joint("a"), 2, 0.5, Vec::new()).expect("a beginning");
+    writer.write_row(&[1.0]).expect("a row");
+    assert_eq!(reason(writer.finish()), WriteError::Frames { declared: 2, found: 1 });
+    let refused = bvh::Writer::new(&Skeleton::new(), 0, 0.5, Vec::new()).map(drop);
+    assert_eq!(reason(refused), WriteError::NoJoints);
+}
+
+#[test]
 fn a_full_disk_is_reported() {
     struct Full;
     impl std::io::Write for Full {
@@ -225,5 +249,17 @@ proptest! {
         prop_assert_eq!(again.frame_time().to_bits(), motion.frame_time().to_bits());
         prop_assert_eq!(bits(again.values()), bits(motion.values()));
         prop_assert_eq!(write(&again), text);
+    }
+
+    #[test]
+    fn row_by_row_comes_out_what_the_whole_motion_does(motion in any_motion()) {
+        let (mut out, frames) = (Vec::new(), motion.frame_count());
+        let mut writer =
+            bvh::Writer::new(motion.skeleton(), frames, motion.frame_time(), &mut out).expect("a beginning");
+        for frame in 0..frames {
+            writer.write_row(motion.row(frame).expect("a frame")).expect("a row that can be written");
+        }
+        writer.finish().expect("all rows");
+        prop_assert_eq!(String::from_utf8(out).expect("a text"), write(&motion));
     }
 }

@@ -68,7 +68,7 @@ use crate::text;
 pub use convert::{ConvertError, to_bones, to_joints};
 pub use kind::{ErrorKind, Which};
 pub use warning::WarningKind;
-pub use write::{WriteError, write_motion, write_skeleton};
+pub use write::{MotionWriter, WriteError, write_motion, write_skeleton};
 
 /// Why a text is not Acclaim, and where.
 pub type Error = crate::Error<ErrorKind>;

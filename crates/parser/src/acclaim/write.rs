@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io::{self, Write};
 
-use skeleton::acclaim::{AngleUnit, Bone, BoneId, DegreeOfFreedom, LocalAxes, Motion, Skeleton};
+use skeleton::acclaim::{AngleUnit, Bone, Columns, DegreeOfFreedom, LocalAxes, Motion, Skeleton};
 use skeleton::{Axis, Channel};
 
 use crate::shown::Shortest;
@@ -19,7 +19,7 @@ use crate::source::{LONGEST_WORD, is_blank};
 /// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and a [`WriteError`] inside, when the format cannot
 /// hold the skeleton. Then nothing has been written.
 pub fn write_skeleton(skeleton: &Skeleton, out: impl Write) -> io::Result<()> {
-    check_skeleton(skeleton).map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
+    check_skeleton(skeleton).map_err(refused)?;
     let mut out = io::BufWriter::new(out);
     writeln!(out, ":version 1.10")?;
     if !skeleton.name.is_empty() {
@@ -96,21 +96,66 @@ fn write_hierarchy(skeleton: &Skeleton, out: &mut impl Write) -> io::Result<()> 
 /// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and a [`WriteError`] inside, when a number is not finite.
 /// Then nothing has been written.
 pub fn write_motion(motion: &Motion, out: impl Write) -> io::Result<()> {
-    check_motion(motion).map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
-    let mut out = io::BufWriter::new(out);
-    let (skeleton, columns) = (motion.skeleton(), motion.columns());
-    let unit = skeleton.units.angle;
-    writeln!(out, ":FULLY-SPECIFIED")?;
-    if columns.has_three_angles() {
-        writeln!(out, ":FORCE-ALL-JOINTS-BE-3DOF")?;
+    let (columns, mut rows) = (motion.columns(), (0..motion.frame_count()).map(|frame| motion.row(frame)));
+    let bad = rows.find_map(|row| unwritable(columns, row.unwrap_or_default()));
+    if let Some(bone) = bad {
+        let frame = motion.frame_count() - rows.len();
+        return Err(refused(WriteError::Value { frame, bone }));
     }
-    writeln!(out, "{}", if unit == AngleUnit::Degrees { ":DEGREES" } else { ":RADIANS" })?;
-    let moving: Vec<&Bone> =
-        skeleton.bones().iter().filter(|bone| !columns.range(bone.id).is_empty()).collect();
+    let mut writer = MotionWriter::new(columns, out)?;
     for frame in 0..motion.frame_count() {
-        writeln!(out, "{}", frame + 1)?;
-        let row = motion.row(frame).unwrap_or_default();
-        for bone in &moving {
+        writer.write_row(motion.row(frame).unwrap_or_default())?;
+    }
+    writer.finish()
+}
+
+/// Writes a motion as AMC row by row, as [`write_motion`] does: for one that is never in memory as a whole.
+#[derive(Debug)]
+pub struct MotionWriter<'a, W: Write> {
+    columns: &'a Columns,
+    /// The bones that have numbers.
+    moving: Vec<&'a Bone>,
+    out: io::BufWriter<W>,
+    written: usize,
+}
+
+impl<'a, W: Write> MotionWriter<'a, W> {
+    /// Writes everything in front of the first frame.
+    ///
+    /// # Errors
+    ///
+    /// When `out` fails.
+    pub fn new(columns: &'a Columns, out: W) -> io::Result<MotionWriter<'a, W>> {
+        let mut out = io::BufWriter::new(out);
+        writeln!(out, ":FULLY-SPECIFIED")?;
+        if columns.has_three_angles() {
+            writeln!(out, ":FORCE-ALL-JOINTS-BE-3DOF")?;
+        }
+        let skeleton = columns.skeleton();
+        let degrees = skeleton.units.angle == AngleUnit::Degrees;
+        writeln!(out, "{}", if degrees { ":DEGREES" } else { ":RADIANS" })?;
+        let moving = skeleton.bones().iter().filter(|bone| !columns.range(bone.id).is_empty()).collect();
+        Ok(MotionWriter { columns, moving, out, written: 0 })
+    }
+
+    /// Writes the next frame: one number for every column, angles in degrees.
+    ///
+    /// # Errors
+    ///
+    /// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and a [`WriteError`] inside, when there are more or fewer
+    /// numbers than columns, or one of them is not finite. Then nothing of the frame has been written.
+    pub fn write_row(&mut self, row: &[f32]) -> io::Result<()> {
+        let MotionWriter { columns, moving, out, written } = self;
+        let frame = *written + 1;
+        if row.len() != columns.len() {
+            return Err(refused(WriteError::Row { frame, columns: columns.len(), found: row.len() }));
+        }
+        if let Some(bone) = unwritable(columns, row) {
+            return Err(refused(WriteError::Value { frame, bone }));
+        }
+        let unit = columns.skeleton().units.angle;
+        writeln!(out, "{frame}")?;
+        for bone in moving {
             write!(out, "{}", bone.name)?;
             for (channel, &value) in columns.channels(bone.id).iter().zip(&row[columns.range(bone.id)]) {
                 match channel {
@@ -120,8 +165,29 @@ pub fn write_motion(motion: &Motion, out: impl Write) -> io::Result<()> {
             }
             writeln!(out)?;
         }
+        *written = frame;
+        Ok(())
     }
-    out.flush()
+
+    /// To be called behind the last frame.
+    ///
+    /// # Errors
+    ///
+    /// When `out` fails.
+    pub fn finish(mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+/// The bone of the first number of a row that is not finite.
+fn unwritable(columns: &Columns, row: &[f32]) -> Option<String> {
+    let column = row.iter().position(|value| !value.is_finite())?;
+    let bone = columns.skeleton().bones().iter().find(|bone| columns.range(bone.id).contains(&column));
+    Some(bone.map(|bone| bone.name.clone()).unwrap_or_default())
+}
+
+fn refused(error: WriteError) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, error)
 }
 
 /// Three numbers with blanks between them.
@@ -192,6 +258,16 @@ pub enum WriteError {
         /// The bone's name.
         bone: String,
     },
+    /// A row that does not fit the columns.
+    #[error("frame {frame} (counted from 1) has {found} numbers, and the bones that move have {columns}")]
+    Row {
+        /// The frame, from 1.
+        frame: usize,
+        /// Columns of the motion.
+        columns: usize,
+        /// Numbers in the row.
+        found: usize,
+    },
 }
 
 fn check_skeleton(skeleton: &Skeleton) -> Result<(), WriteError> {
@@ -211,15 +287,6 @@ fn check_skeleton(skeleton: &Skeleton) -> Result<(), WriteError> {
         Some(bone) => Err(WriteError::Bone { bone: bone.name.clone() }),
         None => Ok(()),
     }
-}
-
-fn check_motion(motion: &Motion) -> Result<(), WriteError> {
-    let columns = motion.columns();
-    let Some(at) = motion.values().iter().position(|value| !value.is_finite()) else { return Ok(()) };
-    let (frame, column) = (at / columns.len() + 1, at % columns.len());
-    let bone = (0..motion.skeleton().len()).find(|bone| columns.range(BoneId(*bone)).contains(&column));
-    let bone = bone.and_then(|bone| motion.skeleton().get(BoneId(bone)));
-    Err(WriteError::Value { frame, bone: bone.map(|bone| bone.name.clone()).unwrap_or_default() })
 }
 
 /// Whether a text is the same after it has been written behind a keyword and read.

@@ -49,7 +49,7 @@ use crate::text;
 
 pub use kind::ErrorKind;
 pub use warning::WarningKind;
-pub use write::{WriteError, write};
+pub use write::{WriteError, Writer, write};
 
 /// Why a text is not BVH, and where.
 pub type Error = crate::Error<ErrorKind>;

@@ -17,19 +17,91 @@ use crate::source::{LONGEST_WORD, is_blank};
 /// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and a [`WriteError`] inside, when the format cannot
 /// hold the motion. Then nothing has been written.
 pub fn write(motion: &Motion, out: impl Write) -> io::Result<()> {
-    check(motion).map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
-    let mut out = io::BufWriter::new(out);
-    write_hierarchy(motion.skeleton(), &mut out)?;
-    writeln!(out, "MOTION\nFrames: {}\nFrame Time: {}", motion.frame_count(), Shortest(motion.frame_time()))?;
+    let channels = motion.skeleton().channel_count();
+    if let Some(at) = motion.values().iter().position(|value| !value.is_finite()) {
+        return Err(refused(WriteError::Value { frame: at / channels + 1, column: at % channels + 1 }));
+    }
+    let mut writer = Writer::new(motion.skeleton(), motion.frame_count(), motion.frame_time(), out)?;
     for frame in 0..motion.frame_count() {
+        writer.write_row(motion.row(frame).unwrap_or_default())?;
+    }
+    writer.finish()
+}
+
+/// Writes a motion as BVH row by row, as [`write`] does: for one that is never in memory as a whole.
+#[derive(Debug)]
+pub struct Writer<W: Write> {
+    out: io::BufWriter<W>,
+    channels: usize,
+    frames: usize,
+    written: usize,
+}
+
+impl<W: Write> Writer<W> {
+    /// Writes everything in front of the first row of a motion of `frames` frames, with `frame_time` seconds from one to the
+    /// next.
+    ///
+    /// # Errors
+    ///
+    /// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and a [`WriteError`] inside, when the format cannot
+    /// hold such a motion. Then nothing has been written.
+    pub fn new(skeleton: &Skeleton, frames: usize, frame_time: f64, out: W) -> io::Result<Writer<W>> {
+        check(skeleton, frames, frame_time).map_err(refused)?;
+        let mut out = io::BufWriter::new(out);
+        write_hierarchy(skeleton, &mut out)?;
+        writeln!(out, "MOTION\nFrames: {frames}\nFrame Time: {}", Shortest(frame_time))?;
+        Ok(Writer { out, channels: skeleton.channel_count(), frames, written: 0 })
+    }
+
+    /// Writes the next frame: one number for every channel, in the order of the skeleton.
+    ///
+    /// # Errors
+    ///
+    /// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and a [`WriteError`] inside, when there are more or fewer
+    /// numbers than channels, one of them is not finite, or all frames are there already. Then nothing of the row has been
+    /// written.
+    pub fn write_row(&mut self, row: &[f32]) -> io::Result<()> {
+        self.check_row(row).map_err(refused)?;
         let mut gap = "";
-        for &value in motion.row(frame).unwrap_or_default() {
-            write!(out, "{gap}{}", Shortest(value))?;
+        for &value in row {
+            write!(self.out, "{gap}{}", Shortest(value))?;
             gap = " ";
         }
-        writeln!(out)?;
+        writeln!(self.out)?;
+        self.written += 1;
+        Ok(())
     }
-    out.flush()
+
+    /// To be called behind the last row.
+    ///
+    /// # Errors
+    ///
+    /// When `out` fails; or, with [`io::ErrorKind::InvalidInput`] and [`WriteError::Frames`] inside, when rows are missing.
+    pub fn finish(mut self) -> io::Result<()> {
+        let Writer { frames, written, .. } = self;
+        if written != frames {
+            return Err(refused(WriteError::Frames { declared: frames, found: written }));
+        }
+        self.out.flush()
+    }
+
+    fn check_row(&self, row: &[f32]) -> Result<(), WriteError> {
+        let frame = self.written + 1;
+        if frame > self.frames {
+            return Err(WriteError::Frames { declared: self.frames, found: frame });
+        }
+        if row.len() != self.channels {
+            return Err(WriteError::Row { frame, channels: self.channels, found: row.len() });
+        }
+        match row.iter().position(|value| !value.is_finite()) {
+            Some(at) => Err(WriteError::Value { frame, column: at + 1 }),
+            None => Ok(()),
+        }
+    }
+}
+
+fn refused(error: WriteError) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, error)
 }
 
 fn write_hierarchy(skeleton: &Skeleton, out: &mut impl Write) -> io::Result<()> {
@@ -133,19 +205,33 @@ pub enum WriteError {
         /// Frames of the motion.
         frames: usize,
     },
+    /// A row that does not fit the skeleton.
+    #[error("frame {frame} (counted from 1) has {found} numbers, and the skeleton has {channels} channels")]
+    Row {
+        /// The frame, from 1.
+        frame: usize,
+        /// Channels of the skeleton.
+        channels: usize,
+        /// Numbers in the row.
+        found: usize,
+    },
+    /// More or fewer rows than were declared.
+    #[error("{declared} frames were declared, and there are {found}")]
+    Frames {
+        /// Frames that the text's beginning speaks of.
+        declared: usize,
+        /// Frames that there are, at least.
+        found: usize,
+    },
 }
 
-fn check(motion: &Motion) -> Result<(), WriteError> {
-    check_skeleton(motion.skeleton())?;
-    let channels = motion.skeleton().channel_count();
-    if let Some(at) = motion.values().iter().position(|value| !value.is_finite()) {
-        return Err(WriteError::Value { frame: at / channels + 1, column: at % channels + 1 });
-    }
-    if !motion.frame_time().is_finite() {
+fn check(skeleton: &Skeleton, frames: usize, frame_time: f64) -> Result<(), WriteError> {
+    check_skeleton(skeleton)?;
+    if !frame_time.is_finite() {
         return Err(WriteError::FrameTime);
     }
-    match motion.frame_count() {
-        frames if channels == 0 && frames > 0 => Err(WriteError::EmptyFrames { frames }),
+    match skeleton.channel_count() {
+        0 if frames > 0 => Err(WriteError::EmptyFrames { frames }),
         _ => Ok(()),
     }
 }

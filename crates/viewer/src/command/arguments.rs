@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::{Parser, ValueEnum};
 use skeleton::PositionChannels;
 
+use super::convert::OutArguments;
 use super::files;
 use super::keyframes::KeyframeArguments;
+use super::targets::Target;
 use super::values::{Side, parse_rate, parse_scale, parse_size, parse_speed};
 use super::warp::WarpArguments;
 use crate::live::mover::Mover;
@@ -120,6 +122,10 @@ pub struct Arguments {
     #[command(flatten)]
     pub warp: WarpArguments,
 
+    /// What is said about new motions.
+    #[command(flatten)]
+    pub out: OutArguments,
+
     /// What is said about keyframes.
     #[command(flatten)]
     pub keyframes: KeyframeArguments,
@@ -196,6 +202,11 @@ impl Arguments {
         let gif = self.gif.clone().map(Output::Gif);
         let apng = self.apng.clone().map(Output::Apng);
         png.or(gif).or(apng).or(self.sheet.clone().map(Output::Sheet))
+    }
+
+    /// The motions, curves and tables to write.
+    pub fn new_files(&self) -> Vec<Target<'_>> {
+        self.out.targets().into_iter().chain(self.keyframes.targets()).collect()
     }
 
     /// The frame to begin with.

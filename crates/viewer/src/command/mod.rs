@@ -1,6 +1,7 @@
 //! The command `cargo view`.
 
 mod arguments;
+mod convert;
 mod edited;
 mod files;
 mod headless;
@@ -19,11 +20,10 @@ use clap::{CommandFactory, Parser};
 
 use crate::live::mover::Mover;
 use crate::live::worker::Trouble;
-use crate::motion::source::{self, Loaded, Source};
+use crate::motion::source::{self, Source};
 use crate::view::app::App;
 use crate::view::gallery::Gallery;
 use crate::view::session::Session;
-use crate::view::texts;
 use crate::window;
 
 pub use arguments::Arguments;
@@ -33,7 +33,7 @@ use arguments::Output;
 /// line that cannot be understood.
 pub fn run() -> ExitCode {
     let arguments = Arguments::parse();
-    if let Err(why) = arguments.keyframes.check_mode() {
+    if let Err(why) = convert::check(&arguments) {
         Arguments::command().error(ErrorKind::ArgumentConflict, why).exit();
     }
     match view(&arguments) {
@@ -48,24 +48,23 @@ pub fn run() -> ExitCode {
 fn view(arguments: &Arguments) -> Result<(), String> {
     let sources = arguments.sources(&workspace())?;
     let pictures = arguments.output();
-    for target in pictures.iter().map(Output::target).chain(arguments.keyframes.targets()) {
+    for target in pictures.iter().map(Output::target).chain(arguments.new_files()) {
         targets::check(target, &sources)?;
     }
     if arguments.print {
         for source in &sources {
-            say(&report(source, &source.read().map_err(text)?));
+            say(&print::report(source, &source.read().map_err(text)?));
         }
         return Ok(());
     }
-    if arguments.exercise.mover().is_some_and(Mover::needs_bones) && arguments.keyframes.targets().is_empty()
-    {
+    if arguments.exercise.mover().is_some_and(Mover::needs_bones) && arguments.new_files().is_empty() {
         files::check_bones(&sources)?;
     }
     if let Some(output) = pictures {
         return headless::write(arguments, &output, &sources);
     }
-    if !arguments.keyframes.targets().is_empty() {
-        return keyframes::write(&arguments.keyframes, &sources);
+    if !arguments.new_files().is_empty() {
+        return convert::write(arguments, &sources);
     }
 
     let mut apps = Vec::new();
@@ -104,7 +103,7 @@ fn open(
     }
     match source.read_behind(before.map(App::stage)) {
         Ok(loaded) => {
-            reports.push_str(&report(source, &loaded));
+            reports.push_str(&print::report(source, &loaded));
             Ok(app(loaded.stage, loaded.warnings))
         }
         // A name without a file is most likely a slip of the hand, and so are keyframes that are not there.
@@ -114,22 +113,6 @@ fn open(
             Ok(unread(&error.to_string()))
         }
     }
-}
-
-/// What is printed of a motion: its name, its skeleton, a summary, and what is odd about the file. Of a warped one only what
-/// tells it from its original.
-fn report(source: &Source, loaded: &Loaded) -> String {
-    let (mut title, motion) = (source.title(), loaded.stage.motion());
-    if let Some(map) = loaded.stage.warp() {
-        texts::write_warp(&mut title, &map);
-        let seconds = map.frame_count() as f64 * motion.playable_frame_time();
-        return format!("\n{title}\n{:<16} {} s\n", "duration", print::number(seconds, 2));
-    }
-    let warnings = match &loaded.warnings[..] {
-        [] => "warnings         none\n".to_owned(),
-        some => some.iter().map(|warning| format!("warning          {warning}\n")).collect(),
-    };
-    format!("{title}\n\n{}\n{}{warnings}", print::tree(motion.skeleton()), print::summary(motion))
 }
 
 /// Writes to the standard output. Whoever reads there may have gone, as `head` does; that is no reason to fail.

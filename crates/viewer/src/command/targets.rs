@@ -1,17 +1,21 @@
 //! Sees to it that no motion is lost because its name stands where that of a picture belongs, or of another motion.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use parser::printable;
 
 use super::arguments::Output;
-use crate::motion::source::Source;
+use crate::motion::source::{self, Source};
+
+/// The endings of files that can be shown.
+const MOTIONS: [&str; 3] = ["bvh", "amc", "asf"];
 
 /// A file to write.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Target<'a> {
     /// Where.
-    pub path: &'a Path,
+    pub path: Cow<'a, Path>,
     /// The option that names it.
     pub option: &'static str,
     /// What it is.
@@ -38,7 +42,15 @@ impl Output {
             Output::Apng(_) => ("--apng", "film", &["png", "apng"]),
             Output::Sheet(_) => ("--sheet", "picture", &["png"]),
         };
-        Target { path: self.path(), option, what, endings, may_replace: true }
+        Target { path: self.path().into(), option, what, endings, may_replace: true }
+    }
+}
+
+/// Endings as people list them, behind the first point.
+fn list(endings: &[&str]) -> String {
+    match endings {
+        [others @ .., last] if others.len() > 1 => format!("{} or .{last}", others.join(", .")),
+        _ => endings.join(" or ."),
     }
 }
 
@@ -49,10 +61,11 @@ pub fn shown(path: &Path) -> String {
 
 /// Looks at the name of what is to be written.
 pub fn check(target: Target, sources: &[Source]) -> Result<(), String> {
-    let Target { path, option, what, endings, may_replace } = target;
-    let ends_in = |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+    let Target { ref path, option, what, endings, may_replace } = target;
+    let ends_in = |ending: &str| source::ends_in(path, ending);
     let ending = endings[0];
-    if ends_in("bvh") && ending != "bvh" {
+    let is_motion = MOTIONS.into_iter().any(ends_in);
+    if is_motion && !endings.iter().any(|ending| MOTIONS.contains(ending)) {
         let name = printable(&path.file_name().unwrap_or_default().display().to_string());
         let path = shown(path);
         let quote = if path.contains(' ') { "\"" } else { "" };
@@ -63,16 +76,17 @@ pub fn check(target: Target, sources: &[Source]) -> Result<(), String> {
     if !endings.iter().any(|ending| ends_in(ending)) {
         return Err(format!(
             "{option} names the {what} to write, and that name ends in .{}: {} does not",
-            endings.join(" or ."),
+            list(endings),
             shown(path)
         ));
     }
-    for source in sources {
+    for file in sources.iter().flat_map(Source::files) {
         // Neither can be found when it does not exist; then there is nothing to lose.
-        if let (Ok(target), Ok(motion)) = (path.canonicalize(), source.path.canonicalize())
-            && target == motion
+        if let (Ok(target), Ok(read)) = (path.canonicalize(), file.canonicalize())
+            && target == read
         {
-            return Err(format!("{} is the motion: the {what} needs a name of its own", shown(path)));
+            let is = if source::ends_in(&file, "asf") { "skeleton" } else { "motion" };
+            return Err(format!("{} is the {is}: the {what} needs a name of its own", shown(path)));
         }
     }
     if !may_replace && path.exists() {

@@ -12,8 +12,8 @@ use crate::view::warp::MOST_FRAMES;
 #[command(next_help_heading = "Time warp")]
 pub struct WarpArguments {
     /// Shows the motion beside itself with so many frames, slower or faster [default with --between: twice as many]
-    #[arg(long, value_name = "FRAMES", value_parser = clap::value_parser!(u64).range(1..=MOST_FRAMES as u64))]
-    warp: Option<u64>,
+    #[arg(long, value_name = "FRAMES", value_parser = parse_count)]
+    warp: Option<usize>,
 
     /// Warps only the stretch between these two keyframes: --warp says how many frames it is from the one to the other, and all
     /// else keeps its length
@@ -42,12 +42,17 @@ impl FromStr for Stretch {
     }
 }
 
+fn parse_count(text: &str) -> Result<usize, String> {
+    let count = text.parse().ok().filter(|count| (1..=MOST_FRAMES).contains(count));
+    count.ok_or_else(|| format!("write how many frames there are to be, from 1 to {MOST_FRAMES}"))
+}
+
 impl WarpArguments {
     /// How motions are warped, if they are.
     pub fn warping(&self) -> Option<Warping> {
         let keyframes = self.between.map(|Stretch(first, last)| (first, last));
-        let frames = self.warp.map(|frames| usize::try_from(frames).unwrap_or(usize::MAX));
-        (frames.is_some() || keyframes.is_some()).then_some(Warping { frames, keyframes })
+        let is_given = self.warp.is_some() || keyframes.is_some();
+        is_given.then_some(Warping { frames: self.warp, keyframes })
     }
 
     /// Each motion, and behind it the same one warped, where any is: as it is said here, or else as `usual`.

@@ -68,6 +68,12 @@ pub enum Unreadable {
         /// Why.
         error: acclaim::ConvertError,
     },
+    /// The motion has no frames, and so no keyframes between which it could be warped.
+    #[error("{title}: there are no frames, and so nothing to warp")]
+    NoFrames {
+        /// The file.
+        title: String,
+    },
     /// The motion does not have the keyframes between which it is to be warped.
     #[error("{title}: between frames {0} and {1} there is nothing to warp: the motion has frames 0 to {last}", .keyframes.0, .keyframes.1)]
     Keyframes {
@@ -180,10 +186,9 @@ impl Source {
         let old = loaded.stage.moving_frames();
         let Some(map) = warping.of(old) else {
             let keyframes = warping.keyframes.unwrap_or_default();
-            return Err(Unreadable::Keyframes {
-                title: self.title(),
-                keyframes,
-                last: old.saturating_sub(1),
+            return Err(match old.checked_sub(1) {
+                Some(last) => Unreadable::Keyframes { title: self.title(), keyframes, last },
+                None => Unreadable::NoFrames { title: self.title() },
             });
         };
         Ok(Loaded { stage: Arc::new(loaded.stage.warped(map)), ..loaded })

@@ -16,13 +16,44 @@ pub(crate) fn write_whole<E: From<io::Error>>(
     path: &Path,
     fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
 ) -> Result<(), E> {
-    let (part, file) = Part::create(path)?;
-    let mut writer = BufWriter::with_capacity(1 << 16, file);
+    let (part, mut writer) = Part::open(path)?;
     fill(&mut writer)?;
-    // Closed before it is moved: Windows does not move open files.
-    drop(writer.into_inner().map_err(io::IntoInnerError::into_error)?);
+    close(writer)?;
     part.take_place_of(path)?;
     Ok(())
+}
+
+/// Lets `fill` write two files that belong together, beside the paths `first` and `second`. They take the places of whatever
+/// is there once all of both has been written. When anything fails, what was there stays in both places.
+///
+/// # Errors
+///
+/// What `fill` gives, or why a file cannot be made, written or put in its place.
+pub(crate) fn write_both<E: From<io::Error>>(
+    [first, second]: [&Path; 2],
+    fill: impl FnOnce(&mut dyn Write, &mut dyn Write) -> Result<(), E>,
+) -> Result<(), E> {
+    let (one, mut one_out) = Part::open(first)?;
+    let (two, mut two_out) = Part::open(second)?;
+    fill(&mut one_out, &mut two_out)?;
+    close(one_out)?;
+    close(two_out)?;
+    let older = if first.exists() { Some(Part::copy_of(first)?) } else { None };
+    one.take_place_of(first)?;
+    if let Err(error) = two.take_place_of(second) {
+        // Something has gone wrong already, and that is worth telling.
+        let _ = match older {
+            Some(older) => older.take_place_of(first),
+            None => fs::remove_file(first),
+        };
+        return Err(error.into());
+    }
+    Ok(())
+}
+
+/// Writes what is still to be written, and closes the file before it is moved: Windows does not move open files.
+fn close(writer: BufWriter<File>) -> io::Result<()> {
+    writer.into_inner().map(drop).map_err(io::IntoInnerError::into_error)
 }
 
 /// A file that is not yet whole; removed when it is dropped.
@@ -40,6 +71,18 @@ impl Part {
         let path = path.with_file_name(name);
         let file = File::create(&path)?;
         Ok((Part { path: Some(path) }, file))
+    }
+
+    fn open(path: &Path) -> io::Result<(Part, BufWriter<File>)> {
+        let (part, file) = Part::create(path)?;
+        Ok((part, BufWriter::with_capacity(1 << 16, file)))
+    }
+
+    /// A copy of the file at `path`.
+    fn copy_of(path: &Path) -> io::Result<Part> {
+        let (part, mut file) = Part::create(path)?;
+        io::copy(&mut File::open(path)?, &mut file)?;
+        Ok(part)
     }
 
     fn take_place_of(mut self, target: &Path) -> io::Result<()> {
@@ -78,6 +121,32 @@ mod tests {
         assert!(std::panic::catch_unwind(|| write(|_| panic!("on purpose"))).is_err());
         assert_eq!(fs::read(&path).unwrap(), b"older");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "nothing is left lying about");
+    }
+
+    #[test]
+    fn of_two_files_that_belong_together_neither_is_there_without_the_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let paths = ["a skeleton.asf", "a motion.amc"].map(|name| folder.path().join(name));
+        let write = |text: &str, fails: bool| {
+            write_both([&paths[0], &paths[1]], |one, two| {
+                one.write_all(text.as_bytes())?;
+                two.write_all(text.as_bytes())?;
+                if fails { Err(io::Error::from(io::ErrorKind::StorageFull)) } else { Ok(()) }
+            })
+        };
+        let names = || fs::read_dir(folder.path()).unwrap().count();
+        assert_eq!(write("lost", true).unwrap_err().kind(), io::ErrorKind::StorageFull);
+        assert_eq!(names(), 0);
+        // A folder in the place of the second: the first must not stay alone, nor take the place of an older one.
+        fs::create_dir(&paths[1]).unwrap();
+        write("lost", false).unwrap_err();
+        assert_eq!(names(), 1);
+        fs::write(&paths[0], "older").unwrap();
+        write("lost", false).unwrap_err();
+        assert_eq!((fs::read(&paths[0]).unwrap(), names()), (b"older".to_vec(), 2));
+        fs::remove_dir(&paths[1]).unwrap();
+        write("newer", false).unwrap();
+        assert!(paths.iter().all(|path| fs::read(path).unwrap() == b"newer") && names() == 2);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Pictures, films and contact sheets as files.
+//! Pictures, films, contact sheets and motions as files.
 
 pub(crate) mod beside;
 pub mod edit;
@@ -7,3 +7,4 @@ pub mod frames;
 pub mod picture;
 pub mod pictures;
 pub mod sheet;
+pub mod warped;

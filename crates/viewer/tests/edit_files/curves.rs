@@ -88,10 +88,20 @@ fn help_names_the_options_under_a_heading_and_still_begins_with_the_viewer() {
     let output = view(&["--help"]);
     let help = String::from_utf8(output.stdout).unwrap();
     assert!(help.starts_with("Shows a motion moved by YOUR functions"), "{help}");
-    let (_, section) =
-        help.split_once("Keyframes (in files, the reference solution chooses and interpolates):").unwrap();
-    for option in ["--out", "--plot", "--csv", "--keyframes", "--mode", "--method", "--overwrite"] {
-        assert!(section.contains(option), "{option}");
+    let (_, motions) = help.split_once("New motions:").unwrap();
+    let (motions, curves) =
+        motions.split_once("Keyframes (in files, the reference solution chooses and interpolates):").unwrap();
+    let options: [(&str, &[&str]); 2] = [
+        (motions, &["--out", "--overwrite"]),
+        (curves, &["--plot", "--csv", "--keyframes", "--mode", "--method"]),
+    ];
+    for (section, options) in options {
+        options.iter().for_each(|option| {
+            assert!(
+                section.contains(&format!("{option} ")) || section.contains(&format!("{option}\n")),
+                "{option}"
+            )
+        });
+        assert!(!section.contains("--positions"), "an option stands under the wrong heading");
     }
-    assert!(!section.contains("--positions"), "an option stands under the wrong heading");
 }

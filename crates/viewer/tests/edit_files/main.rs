@@ -5,6 +5,8 @@
 mod command;
 mod counts;
 mod curves;
+#[path = "../command/files.rs"]
+mod files;
 mod motion;
 mod targets;
 
@@ -12,49 +14,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use command::view;
+use files::{Folder, data, run};
 use parser::bvh;
 use skeleton::{Frame, Motion};
-
-/// What it says, and what it complains of.
-fn run(arguments: &[&str]) -> Result<(String, String), String> {
-    let output = view(arguments);
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    match output.status.success() {
-        true => Ok((text(&output.stdout), text(&output.stderr))),
-        false => {
-            assert_eq!(text(&output.stdout), "", "something was written all the same");
-            Err(text(&output.stderr))
-        }
-    }
-}
-
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Folder {
-        Folder(tempfile::Builder::new().prefix("with blank ").tempdir().unwrap())
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn text(&self, name: &str) -> String {
-        self.path(name).to_str().unwrap().to_owned()
-    }
-
-    fn names(&self) -> Vec<String> {
-        let entries = fs::read_dir(self.0.path()).unwrap();
-        let mut names: Vec<String> =
-            entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into()).collect();
-        names.sort();
-        names
-    }
-}
-
-fn data(name: &str) -> String {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name).to_str().unwrap().to_owned()
-}
 
 fn read(path: impl AsRef<Path>) -> Motion {
     bvh::read_file(path).unwrap().motion

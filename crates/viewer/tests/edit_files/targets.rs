@@ -39,12 +39,14 @@ fn a_motion_is_never_lost() {
 #[test]
 fn every_ending_is_looked_at_before_anything_is_read() {
     let told = |arguments: &[&str]| run(&[&["no such file.bvh"], arguments].concat()).unwrap_err();
-    for (option, what, ending) in
-        [("--out", "new motion", "bvh"), ("--plot", "picture", "svg"), ("--csv", "table", "csv")]
-    {
+    for (option, what, endings) in [
+        ("--out", "new motion", "bvh, .amc or .asf"),
+        ("--plot", "picture", "svg"),
+        ("--csv", "table", "csv"),
+    ] {
         for name in ["error", "error.png", ".bv", "a.bvh.txt"] {
             let expected = format!(
-                "{option} names the {what} to write, and that name ends in .{ending}: {name} does not\n"
+                "{option} names the {what} to write, and that name ends in .{endings}: {name} does not\n"
             );
             assert_eq!(told(&[option, name]), expected);
         }
@@ -52,6 +54,9 @@ fn every_ending_is_looked_at_before_anything_is_read() {
     let expected =
         "--csv names the table to write; to show my dance.BVH: cargo view \"my dance.BVH\" --csv table.csv\n";
     assert_eq!(told(&["--csv", "my dance.BVH"]), expected);
+    let expected =
+        "--plot names the picture to write; to show walk.amc: cargo view walk.amc --plot picture.svg\n";
+    assert_eq!(told(&["--plot", "walk.amc"]), expected);
     // All of them, not the first one only.
     assert!(told(&["--out", "new.bvh", "--plot", "error.svg", "--csv", "error.txt"]).contains(".csv"));
     assert!(told(&["--out", "new.BVH", "--csv", "new.CSV"]).contains("no such file.bvh"));

@@ -9,9 +9,9 @@ use crate::command::targets::Target;
 use crate::output::edit::Method;
 use crate::view::app::EditSettings;
 
-/// Options that have to do with the window or a picture, or with the student's functions, and mean nothing for these files.
-/// Whatever needs a file names them too: next to one of them, clap no longer asks for what is needed.
-const MEANINGLESS: [&str; 13] = [
+/// Options that have to do with the window or a picture, or with the student's functions, and mean nothing for new motions and
+/// curves. Whatever needs a file names them too: next to one of them, clap no longer asks for what is needed.
+pub const MEANINGLESS: [&str; 13] = [
     "exercise", "output", "frame", "frames", "pictures", "speed", "size", "scale", "camera", "lines",
     "joint", "hide", "show",
 ];
@@ -21,11 +21,6 @@ const MEANINGLESS: [&str; 13] = [
 #[command(next_help_heading = "Keyframes (in files, the reference solution chooses and interpolates)")]
 #[command(group = ArgGroup::new("reduction").multiple(true).conflicts_with_all(MEANINGLESS))]
 pub struct KeyframeArguments {
-    /// Writes the motion reduced to keyframes, with all frames between them interpolated, so that every program plays
-    /// it
-    #[arg(long, value_name = "MOTION", group = "reduction")]
-    out: Option<PathBuf>,
-
     /// Draws how the accumulated error grows with the number of interpolated frames, for Euler angles and for quaternions
     #[arg(long, value_name = "PICTURE", group = "reduction")]
     plot: Option<PathBuf>,
@@ -43,13 +38,9 @@ pub struct KeyframeArguments {
     #[arg(long, value_enum, conflicts_with = "print")]
     mode: Option<Mode>,
 
-    /// How the keyframes for --out are chosen; the curves are always greedy
-    #[arg(long, value_enum, default_value_t = Method::Greedy, requires = "out", conflicts_with_all = MEANINGLESS)]
-    pub method: Method,
-
-    /// Lets --out take the place of a file that is there already, though never of FILE
-    #[arg(long, requires = "out", conflicts_with_all = MEANINGLESS)]
-    overwrite: bool,
+    /// How the keyframes for --out are chosen; the curves are always greedy [default: greedy]
+    #[arg(long, value_enum, requires = "out", conflicts_with_all = MEANINGLESS)]
+    method: Option<Method>,
 }
 
 /// [`Representation`] in the words of the command line.
@@ -65,33 +56,33 @@ enum Mode {
 impl KeyframeArguments {
     /// What is to be written; empty when nothing is said about it.
     pub fn targets(&self) -> Vec<Target<'_>> {
-        let motion = self.out().map(|path| Target {
-            path,
-            option: "--out",
-            what: "new motion",
-            endings: &["bvh"],
-            may_replace: self.overwrite,
-        });
         let picture = self.plot().map(|path| Target {
-            path,
+            path: path.into(),
             option: "--plot",
             what: "picture",
             endings: &["svg"],
             may_replace: true,
         });
         let table = self.csv().map(|path| Target {
-            path,
+            path: path.into(),
             option: "--csv",
             what: "table",
             endings: &["csv"],
             may_replace: true,
         });
-        motion.into_iter().chain(picture).chain(table).collect()
+        picture.into_iter().chain(table).collect()
     }
 
-    /// Where the reduced motion goes.
-    pub fn out(&self) -> Option<&Path> {
-        self.out.as_deref()
+    /// The options that are given; where there are any, what is written is about keyframes.
+    pub fn given(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            ("--plot", self.plot.is_some()),
+            ("--csv", self.csv.is_some()),
+            ("--keyframes", self.keyframes.is_some()),
+            ("--mode", self.mode.is_some()),
+            ("--method", self.method.is_some()),
+        ];
+        given.into_iter().filter_map(|(option, is_given)| is_given.then_some(option))
     }
 
     /// Where the picture of the curves goes.
@@ -102,6 +93,11 @@ impl KeyframeArguments {
     /// Where the numbers of the curves go.
     pub fn csv(&self) -> Option<&Path> {
         self.csv.as_deref()
+    }
+
+    /// How keyframes are chosen.
+    pub fn method(&self) -> Method {
+        self.method.unwrap_or(Method::Greedy)
     }
 
     /// How many keyframes stay.
@@ -127,13 +123,13 @@ impl KeyframeArguments {
         EditSettings { automatic: true, keyframes: self.count(), representation, stretch, ..usual }
     }
 
-    /// Sees to it that --mode is not said of curves alone.
+    /// Sees to it that --mode is not said of curves alone; `is_alone` tells whether there is no new motion.
     ///
     /// # Errors
     ///
     /// When it is.
-    pub fn check_mode(&self) -> Result<(), &'static str> {
-        let only_curves = self.out.is_none() && (self.plot.is_some() || self.csv.is_some());
+    pub fn check_mode(&self, is_alone: bool) -> Result<(), &'static str> {
+        let only_curves = is_alone && (self.plot.is_some() || self.csv.is_some());
         match self.mode {
             Some(_) if only_curves => Err("--mode means nothing for --plot and --csv: they show both"),
             _ => Ok(()),

@@ -2,32 +2,30 @@
 
 mod arguments;
 
-use std::io;
 use std::ops::ControlFlow;
 use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use parser::{bvh, printable};
+use parser::bvh;
 use reduction::{Curve, Errors, curve};
 use skeleton::{Frame, Motion, Representation};
 
-pub use arguments::KeyframeArguments;
+pub use arguments::{KeyframeArguments, MEANINGLESS};
 
+use super::convert::{self, Format, not_written, warn};
 use super::print::{count, number};
 use super::targets::shown;
 use super::{say, text};
 use crate::motion::source::Source;
 use crate::output::beside::write_whole;
-use crate::output::edit::{self, Choice, Misfit, Reduced, TooLong};
+use crate::output::edit::{self, Choice, Reduced, TooLong};
 
-/// So many keyframes, and so many joints that something is said about, are listed.
-const MOST_LISTED: (usize, usize) = (200, 10);
+/// So many keyframes are listed.
+const MOST_LISTED: usize = 200;
 
-/// Writes what the command line asks for. The targets have been looked at.
-pub fn write(arguments: &KeyframeArguments, sources: &[Source]) -> Result<(), String> {
-    let [source] = sources else {
-        return Err(format!("keyframes are those of one motion, and there are {} files", sources.len()));
-    };
+/// Writes the reduced motion of `source` to `out`, and the curves that the command line asks for. The targets have been looked
+/// at.
+pub fn write(arguments: &KeyframeArguments, out: Option<&Path>, source: &Source) -> Result<(), String> {
     let loaded = source.read().map_err(text)?;
     for warning in &loaded.warnings {
         eprintln!("{}: {warning}", source.title());
@@ -36,8 +34,8 @@ pub fn write(arguments: &KeyframeArguments, sources: &[Source]) -> Result<(), St
     if motion.frame_count() == 0 {
         return Err(format!("{}: there are no frames, and so no keyframes", source.title()));
     }
-    let work = Work { arguments, title: source.title(), motion, frames: loaded.stage.frames() };
-    if let Some(path) = arguments.out() {
+    let work = Work { arguments, source, title: source.title(), motion, frames: loaded.stage.frames() };
+    if let Some(path) = out {
         work.write_motion(path)?;
     }
     if arguments.plot().or(arguments.csv()).is_some() {
@@ -49,6 +47,7 @@ pub fn write(arguments: &KeyframeArguments, sources: &[Source]) -> Result<(), St
 /// A motion, and what is to become of it.
 struct Work<'a> {
     arguments: &'a KeyframeArguments,
+    source: &'a Source,
     title: String,
     motion: &'a Motion,
     frames: Vec<Frame>,
@@ -60,19 +59,28 @@ impl Work<'_> {
     }
 
     fn write_motion(&self, path: &Path) -> Result<(), String> {
-        let KeyframeArguments { method, .. } = *self.arguments;
-        let errors = self.errors(self.arguments.representation());
+        let (errors, method) = (self.errors(self.arguments.representation()), self.arguments.method());
         let bar = bar("choosing keyframes");
         let choice =
             method.choose(&errors, self.arguments.count(), &mut |done, all| move_bar(&bar, done, all));
         bar.finish_and_clear();
         let choice = choice.map_err(|TooLong| self.too_long())?;
         let Reduced { motion, misfits } = edit::reduced(self.motion, errors.clip(), &choice.keyframes);
-        write_whole(path, |out| bvh::write(&motion, out))
-            .map_err(|error| not_written("motion", path, &error))?;
-        self.warn(&misfits);
-        say(&format!("{}: {}", shown(path), self.summary(&errors, &choice)));
+        let more = self.write_reduced(path, &motion)?;
+        warn(&self.title, &motion, &misfits);
+        say(&format!("{}: {}{more}", shown(path), self.summary(&errors, &choice)));
         Ok(())
+    }
+
+    /// Writes the motion in the format that the file's name says, and gives what else there is to say of it.
+    fn write_reduced(&self, path: &Path, motion: &Motion) -> Result<String, String> {
+        let Format::Amc { skeleton } = Format::of(path) else {
+            write_whole(path, |out| bvh::write(motion, out))
+                .map_err(|error| not_written("motion", path, &error))?;
+            return Ok(String::new());
+        };
+        convert::write_pair([&skeleton, path], &convert::to_bones(self.source, motion)?)?;
+        Ok(convert::beside(&skeleton, motion.playable_frame_time()))
     }
 
     fn too_long(&self) -> String {
@@ -84,23 +92,6 @@ impl Work<'_> {
         )
     }
 
-    /// Tells which joints could not be turned as they should be.
-    fn warn(&self, misfits: &[Misfit]) {
-        for Misfit { joint, channels, degrees, frame } in misfits.iter().take(MOST_LISTED.1) {
-            eprintln!(
-                "{}: {} has {}, which cannot hold every rotation: the closest were written, off by up to {} degrees \
-                 (frame {frame})",
-                self.title,
-                printable(&self.motion.skeleton().label(*joint)),
-                count(*channels, "rotation channel", "rotation channels"),
-                number(*degrees, 2),
-            );
-        }
-        if let Some(more @ 1..) = misfits.len().checked_sub(MOST_LISTED.1) {
-            eprintln!("{}: the same of {}", self.title, count(more, "more joint", "more joints"));
-        }
-    }
-
     fn summary(&self, errors: &Errors, choice: &Choice) -> String {
         let Choice { keyframes, cap } = choice;
         let (frames, asked) = (self.motion.frame_count(), self.arguments.count());
@@ -109,7 +100,7 @@ impl Work<'_> {
             kept if kept < asked => ": there are no more",
             _ => ": the first and the last one always stay",
         };
-        let listed: Vec<String> = keyframes.iter().take(MOST_LISTED.0).map(usize::to_string).collect();
+        let listed: Vec<String> = keyframes.iter().take(MOST_LISTED).map(usize::to_string).collect();
         let more = keyframes.len() - listed.len();
         let more = if more > 0 { format!(", and {more} more") } else { String::new() };
         let capped = cap.map_or(String::new(), |cap| {
@@ -118,7 +109,7 @@ impl Work<'_> {
         let error = errors.of_keyframes(keyframes);
         let facts = [
             ("keyframes", format!("{}{more}", listed.join(", "))),
-            ("chosen", format!("{}{capped}", self.arguments.method.name())),
+            ("chosen", format!("{}{capped}", self.arguments.method().name())),
             ("interpolated", self.arguments.representation().to_string()),
             (
                 "accumulated error",
@@ -169,10 +160,6 @@ impl Work<'_> {
 fn significant(value: f64) -> String {
     let digits = if value > 0.0 { 3 - value.log10().floor() as i32 } else { 1 };
     number(value, digits.clamp(1, 5) as usize)
-}
-
-fn not_written(what: &str, path: &Path, error: &io::Error) -> String {
-    format!("the {what} cannot be written to {}: {error}", shown(path))
 }
 
 /// A bar in the terminal; nothing where there is none.

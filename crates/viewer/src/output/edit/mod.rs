@@ -14,8 +14,10 @@ use crate::edit::root_mean_square;
 pub use choose::{Choice, Method, TooLong};
 pub use curves::write_csv;
 pub use plot::svg;
+pub(crate) use reduced::LEAST_MISFIT;
 pub use reduced::{Misfit, Reduced, reduced};
 pub use reordered::reordered;
+pub(crate) use reordered::turns;
 
 /// The [`root_mean_square`] over all tips and all frames of a motion whose accumulated error is `error`.
 pub fn rms(errors: &Errors, error: f64) -> f64 {

@@ -11,7 +11,7 @@ use super::reordered::turns;
 use crate::motion::angles::{angles_of, distance};
 
 /// A rotation that is off by less than so many degrees is what an `f32` makes of the right one.
-const LEAST_MISFIT: f64 = 0.01;
+pub(crate) const LEAST_MISFIT: f64 = 0.01;
 
 /// A motion with interpolated frames.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +23,7 @@ pub struct Reduced {
     pub misfits: Vec<Misfit>,
 }
 
-/// A joint whose channels cannot hold its interpolated rotations.
+/// A joint whose channels cannot hold its interpolated rotations, between keyframes or in a time warp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misfit {
     /// Which joint.

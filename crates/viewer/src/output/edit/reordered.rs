@@ -63,7 +63,7 @@ fn with_channels(
 }
 
 /// The rotation channels of a joint: their places among its channels, and their axes.
-pub(super) fn turns(joint: &Joint) -> impl Iterator<Item = (usize, Axis)> + '_ {
+pub(crate) fn turns(joint: &Joint) -> impl Iterator<Item = (usize, Axis)> + '_ {
     joint.channels.iter().enumerate().filter_map(|(at, channel)| match channel {
         Channel::Rotation(axis) => Some((at, *axis)),
         Channel::Position(_) => None,

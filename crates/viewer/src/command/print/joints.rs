@@ -1,21 +1,19 @@
-//! The skeleton and a summary of a motion, as text for the terminal.
+//! Joints and a summary of their motion.
 
 use std::fmt::Write;
 
-use parser::printable;
 use skeleton::{Channel, Joint, Motion, RotationOrder, Skeleton};
 
-/// Joints deeper than this are printed with their depth as a number instead of more indentation.
-const DEEPEST: usize = 24;
-
-/// Names are given at most this many columns before the offsets follow.
-const WIDEST: usize = 48;
+use super::numbers::{count, is_plain, length, number, scientific};
+use super::tree::{branches, width};
+use super::{lines, numbering};
 
 /// The skeleton as a tree: one line per joint with its name, offset (in the file's unit), rotation order and channels.
 pub fn tree(skeleton: &Skeleton) -> String {
     let extent = extent(skeleton);
-    let branches = branches(skeleton);
-    let width = branches.iter().map(|branch| branch.chars().count()).max().unwrap_or(0).min(WIDEST);
+    let joints = skeleton.joints().iter();
+    let branches = branches(joints.map(|joint| (&*joint.name, joint.parent.map(|parent| parent.0))));
+    let width = width(&branches);
     let mut text = String::new();
     for (joint, branch) in skeleton.joints().iter().zip(&branches) {
         let [x, y, z] = joint.offset.to_array().map(|offset| length(offset.into(), extent));
@@ -29,49 +27,6 @@ pub fn tree(skeleton: &Skeleton) -> String {
         "joint", "offset x", "y", "z", "order", "channels"
     );
     format!("{header}\n{text}")
-}
-
-/// Each joint's name behind the lines that connect it to its parent.
-fn branches(skeleton: &Skeleton) -> Vec<String> {
-    let joints = skeleton.joints();
-    let depths = skeleton.depths();
-    // Whether a joint has a younger sibling, found from the back: the last child met first is the last one.
-    let mut has_next = vec![false; joints.len()];
-    let mut seen = vec![false; joints.len()];
-    for (i, joint) in joints.iter().enumerate().rev() {
-        if let Some(parent) = joint.parent {
-            has_next[i] = std::mem::replace(&mut seen[parent.0], true);
-        }
-    }
-    let mut stems: Vec<String> = Vec::with_capacity(joints.len());
-    let mut branches = Vec::with_capacity(joints.len());
-    for (i, joint) in joints.iter().enumerate() {
-        let name = name(&joint.name);
-        let (branch, stem) = match joint.parent {
-            None => (name, String::new()),
-            Some(_) if depths[i] > DEEPEST => (format!("… depth {}: {name}", depths[i]), String::new()),
-            Some(parent) => {
-                let stem = &stems[parent.0];
-                let (fork, line) = if has_next[i] { ("├─ ", "│  ") } else { ("└─ ", "   ") };
-                (format!("{stem}{fork}{name}"), format!("{stem}{line}"))
-            }
-        };
-        branches.push(branch);
-        stems.push(stem);
-    }
-    branches
-}
-
-/// A name without characters that would do something to the terminal, and not longer than a line.
-fn name(name: &str) -> String {
-    if name.is_empty() {
-        return "(no name)".into();
-    }
-    if name.chars().count() <= WIDEST {
-        return printable(name);
-    }
-    let start: String = name.chars().take(WIDEST - 1).collect();
-    printable(&start) + "…"
 }
 
 /// The channels, three positions or rotations in one word.
@@ -111,9 +66,7 @@ pub fn summary(motion: &Motion) -> String {
         0 if skeleton.channel_count() == 0 => {
             "none that move anything: only the rest pose can be shown".into()
         }
-        0 => "the file holds no frames: only the rest pose can be shown".into(),
-        1 => "a single pose, frame 0".into(),
-        _ => format!("numbered 0 to {}", frames - 1),
+        frames => numbering(frames),
     };
     let frame_time = match is_plain(motion.frame_time()) {
         true => motion.frame_time().to_string(),
@@ -137,15 +90,9 @@ pub fn summary(motion: &Motion) -> String {
         ("frames", format!("{frames} ({numbering})")),
         ("frame time", speed),
         ("duration", format!("{} s", number(frames as f64 * seconds, 2))),
-        (
-            "extent",
-            format!(
-                "{} in the file's unit (diagonal of the box around the rest pose)",
-                number(extent(skeleton), 3)
-            ),
-        ),
+        ("extent", extent_of(skeleton)),
     ];
-    facts.iter().map(|(name, fact)| format!("{name:<16} {fact}\n")).collect()
+    lines(&facts)
 }
 
 /// How many joints have which rotation order, the most frequent first.
@@ -160,9 +107,14 @@ fn orders(joints: &[Joint]) -> String {
     words.join(", ")
 }
 
+/// How large a skeleton is, in words.
+pub fn extent_of(skeleton: &Skeleton) -> String {
+    format!("{} in the file's unit (diagonal of the box around the rest pose)", number(extent(skeleton), 3))
+}
+
 /// [`Skeleton::extent`] in double precision, and counted from the first root: the squares of large lengths do not fit
 /// into single precision, and a small skeleton may stand far away.
-fn extent(skeleton: &Skeleton) -> f64 {
+pub fn extent(skeleton: &Skeleton) -> f64 {
     let joints = skeleton.joints();
     let Some(first) = joints.first() else { return 0.0 };
     let along = |axis: usize| {
@@ -175,49 +127,6 @@ fn extent(skeleton: &Skeleton) -> f64 {
         places.iter().copied().fold(f64::NEG_INFINITY, f64::max) - low
     };
     (0..3).map(|axis| along(axis).powi(2)).sum::<f64>().sqrt()
-}
-
-/// A length in the table. What is next to nothing in a skeleton of this `extent` is a zero: many programs write one so.
-fn length(value: f64, extent: f64) -> String {
-    let negligible = value.abs() < (1e-4 * extent).min(5e-4);
-    number(if negligible { 0.0 } else { value }, 3)
-}
-
-/// `value` with `decimals` digits behind the point, more where a small number needs them to be told from another.
-pub fn number(value: f64, decimals: usize) -> String {
-    if !is_plain(value) {
-        return scientific(value);
-    }
-    if value == 0.0 || value.abs() >= 0.01 {
-        // Adding zero makes a plain zero of a negative one.
-        return format!("{:.decimals$}", value + 0.0);
-    }
-    let (least, most) = (decimals, decimals + 3);
-    let mut text = format!("{value:.most$}");
-    let zeros = text.bytes().rev().take_while(|digit| *digit == b'0').count();
-    text.truncate(text.len() - zeros.min(most - least));
-    text
-}
-
-/// Whether a number is read most easily as digits around a point.
-fn is_plain(value: f64) -> bool {
-    value == 0.0 || (1e-3..1e7).contains(&value.abs())
-}
-
-/// At most five digits and a power of ten, for example `-1.5e12`.
-fn scientific(value: f64) -> String {
-    let text = format!("{value:.4e}");
-    match text.split_once('e') {
-        Some((digits, power)) => {
-            format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'))
-        }
-        // Infinity, or no number.
-        None => text,
-    }
-}
-
-pub fn count(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
 }
 
 #[cfg(test)]
@@ -245,41 +154,6 @@ mod tests {
             skeleton.add_joint(None, format!("a{bad}[31m"), Vec3::ZERO, []).unwrap();
             assert!(!tree(&skeleton).contains(bad), "{bad:?}");
         }
-    }
-
-    #[test]
-    fn a_name_that_is_cut_says_so() {
-        assert_eq!(name(&"ä".repeat(48)), "ä".repeat(48));
-        assert_eq!(name(&"ä".repeat(49)), "ä".repeat(47) + "…");
-        assert_eq!(name(""), "(no name)");
-    }
-
-    #[test]
-    fn numbers_are_neither_false_nor_long() {
-        let offsets = [
-            (0.0, "0.000"),
-            (-0.0, "0.000"),
-            (f32::from_bits(1), "1.4013e-45"),
-            (1e-5, "1e-5"),
-            (-0.00123, "-0.00123"),
-            (0.005, "0.005"),
-            (0.25, "0.250"),
-            (-42.9, "-42.900"),
-            (1234.5678, "1234.568"),
-            (9_999_999.0, "9999999.000"),
-            (1e7, "1e7"),
-            (-1.5e12, "-1.5e12"),
-            (3e38, "3e38"),
-        ];
-        for (offset, text) in offsets {
-            assert_eq!(number(offset.into(), 3), text);
-        }
-        let lengths =
-            [(-1e-4, 2.0, "0.000"), (-1e-4, 0.1, "-1e-4"), (2e-3, 1e9, "0.002"), (1e-40, 1e-40, "1e-40")];
-        for (value, extent, text) in lengths {
-            assert_eq!(length(value, extent), text);
-        }
-        assert_eq!((number(f64::INFINITY, 2), number(1e-300, 2)), ("inf".into(), "1e-300".into()));
     }
 
     #[test]

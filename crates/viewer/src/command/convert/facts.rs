@@ -1,0 +1,71 @@
+//! What is said of new motions in the terminal.
+
+use std::io;
+use std::path::Path;
+
+use parser::printable;
+use skeleton::Motion;
+use skeleton::acclaim::Skeleton;
+
+use crate::command::print::{count, number, shortened};
+use crate::command::targets::shown;
+use crate::output::edit::Misfit;
+
+/// So many joints that something is said about are listed.
+const MOST_LISTED: usize = 10;
+
+/// How much of a motion of joints there is in `frames` frames.
+pub fn joints(motion: &Motion, frames: usize) -> String {
+    let joints = motion.skeleton().joints().iter().filter(|joint| !joint.is_end_site).count();
+    format!("{}, {}\n", count(frames, "frame", "frames"), count(joints, "joint", "joints"))
+}
+
+/// How much of a skeleton of bones there is.
+pub fn bones(skeleton: &Skeleton) -> String {
+    format!("{}\n", count(skeleton.len() - 1, "bone", "bones"))
+}
+
+/// What else there is to know about a motion of bones, with so many seconds from one frame to the next.
+pub fn beside(skeleton: &Path, seconds: f64) -> String {
+    let rate = shortened(number(1.0 / seconds, 2));
+    fact("skeleton", &shown(skeleton))
+        + &fact(
+            "frames per second",
+            &format!("{rate}; the file does not say it: --rate {rate} when you show it"),
+        )
+}
+
+/// One line below what was written.
+pub fn fact(name: &str, fact: &str) -> String {
+    format!("  {name:<18} {fact}\n")
+}
+
+/// Tells which joints could not be turned as they should be.
+pub fn warn(title: &str, motion: &Motion, misfits: &[Misfit]) {
+    for Misfit { joint, channels, degrees, frame } in misfits.iter().take(MOST_LISTED) {
+        eprintln!(
+            "{title}: {} has {}, which cannot hold every rotation: the closest were written, off by up to {} degrees \
+             (frame {frame})",
+            printable(&motion.skeleton().label(*joint)),
+            count(*channels, "rotation channel", "rotation channels"),
+            number(*degrees, 2),
+        );
+    }
+    if let Some(more @ 1..) = misfits.len().checked_sub(MOST_LISTED) {
+        eprintln!("{title}: the same of {}", count(more, "more joint", "more joints"));
+    }
+}
+
+/// Why a file is not there.
+pub fn not_written(what: &str, path: &Path, error: &io::Error) -> String {
+    format!("the {what} cannot be written to {}: {error}", shown(path))
+}
+
+/// Why a motion and its skeleton are not there.
+pub fn pair_not_written(skeleton: &Path, motion: &Path, error: &io::Error) -> String {
+    format!(
+        "the motion and its skeleton cannot be written to {} and {}: {error}",
+        shown(motion),
+        shown(skeleton)
+    )
+}

@@ -1,0 +1,90 @@
+//! Warped motions as files.
+
+use std::path::Path;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use parser::{acclaim, printable};
+
+use super::facts::{self, fact};
+use super::{bones, not_written, warn};
+use crate::command::print::{count, number};
+use crate::motion::source::Source;
+use crate::motion::stage::Stage;
+use crate::motion::time_map::TimeMap;
+use crate::output::beside::{write_both, write_whole};
+use crate::output::warped;
+
+/// Writes a warped motion of joints, and gives what is to be said of it.
+pub fn write_joints(source: &Source, stage: &Stage, map: TimeMap, path: &Path) -> Result<String, String> {
+    let motion = stage.motion();
+    let (bar, mut misfits) = (bar(map), Vec::new());
+    write_whole(path, |out| {
+        misfits = warped::write_joints(motion, map, out, &mut |done| bar.set_position(done as u64))?;
+        Ok(())
+    })
+    .map_err(|error| not_written("motion", path, &error))?;
+    bar.finish_and_clear();
+    warn(&source.title(), motion, &misfits);
+    Ok(facts::joints(motion, map.frame_count()) + &made_of(map))
+}
+
+/// Writes a warped motion of bones and its skeleton, and gives what is to be said of it.
+pub fn write_bones(
+    source: &Source,
+    stage: &Stage,
+    map: TimeMap,
+    [skeleton, path]: [&Path; 2],
+) -> Result<String, String> {
+    let motion = bones(source, stage)?.into_owned();
+    let bar = bar(map);
+    let mut tick = |done: usize| bar.set_position(done as u64);
+    let (motion, freed) = warped::fitting(motion, map, &mut tick);
+    write_both([skeleton, path], |bones, frames| {
+        acclaim::write_skeleton(motion.skeleton(), bones)?;
+        warped::write_bones(&motion, map, frames, &mut tick)
+    })
+    .map_err(|error| facts::pair_not_written(skeleton, path, &error))?;
+    bar.finish_and_clear();
+    let seconds = stage.motion().playable_frame_time();
+    let mut said = format!(
+        "{}, {}{}{}",
+        count(map.frame_count(), "frame", "frames"),
+        facts::bones(motion.skeleton()),
+        made_of(map),
+        facts::beside(skeleton, seconds)
+    );
+    if let Some(freed) = freed {
+        let bone = motion.skeleton().get(freed.bone).map_or("", |bone| &bone.name);
+        said += &fact(
+            "angles",
+            &format!(
+                "three for every bone that moves: the two of {} would be off by {} degrees in frame {}",
+                printable(bone),
+                number(freed.degrees, 3),
+                freed.frame
+            ),
+        );
+    }
+    Ok(said)
+}
+
+/// Which frames were warped.
+fn made_of(map: TimeMap) -> String {
+    let old = count(map.old_count(), "frame", "frames");
+    fact(
+        "warped",
+        &match map {
+            TimeMap::Whole { .. } => format!("from {old}"),
+            TimeMap::Stretch { first, last, new, .. } => {
+                format!("from {old}: {} between {first} and {last} became {new}", last - first)
+            }
+        },
+    )
+}
+
+/// A bar in the terminal; nothing where there is none.
+fn bar(map: TimeMap) -> ProgressBar {
+    let bar = ProgressBar::new(map.frame_count() as u64);
+    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} frames, {eta} left");
+    style.map_or(bar.clone(), |style| bar.with_style(style))
+}

@@ -1,0 +1,76 @@
+//! What is printed of bones.
+
+use super::*;
+
+/// `FK_LAB_BLESS=1` writes it again.
+fn assert_golden(name: &str, now: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join("golden").join(name);
+    if std::env::var_os("FK_LAB_BLESS").is_some() {
+        fs::write(&path, now).unwrap();
+    }
+    assert_eq!(now, fs::read_to_string(path).unwrap());
+}
+
+#[test]
+fn bones_are_printed_with_all_that_the_file_says_of_them() {
+    let (said, complaints) = run(&[&data("walk.asf"), &data("walk.amc"), "--print"]).unwrap();
+    assert_eq!(complaints, "");
+    assert_golden("walk.txt", &said);
+}
+
+#[test]
+fn what_is_unusual_about_bones_is_printed() {
+    let folder = Folder::new();
+    let odd = odd_files(&folder, 3);
+    let text = odd_motion(3).replace("three 100\n", "").replace("three 120\n", "").replace("three 140\n", "");
+    fs::write(&odd, text).unwrap();
+    let limits = "dof ry rz rx\n    limits (-inf 10) (-5 inf) (1 2.5)";
+    let bones = ODD_BONES.replace("dof ry rz rx", limits).replace("angle deg", "angle deg\n  force 3");
+    fs::write(folder.path("odd one.asf"), bones).unwrap();
+    let (said, _) = run(&[&odd, "--print", "--rate", "30"]).unwrap();
+    for expected in [
+        "ry ..10, rz -5.., rx 1..2.5",
+        "ZXY",
+        "order RY TZ TX TY RZ RX, position 1 2 3, orientation 10 20 30 YZX",
+        "not moved        three\n",
+        "rate             30 frames per second",
+        "warning          line",
+    ] {
+        assert!(said.contains(expected), "{expected} is missing in: {said}");
+    }
+    let (alone, _) = run(&[&folder.text("odd one.asf"), "--print"]).unwrap();
+    assert!(alone.contains("a skeleton alone") && !alone.contains("rate  "), "{alone}");
+}
+
+#[test]
+fn a_warped_motion_is_not_printed_a_second_time() {
+    let once = run(&[&data("walk.amc"), "--print"]).unwrap().0;
+    for (warp, facts) in [
+        (
+            ["--warp", "960"],
+            "960 (numbered 0 to 959)\nmade of          480 frames\nduration         8.00 s\n",
+        ),
+        (
+            ["--between", "10,100"],
+            "570 (numbered 0 to 569)\nmade of          480 frames: the 90 from 10 to 100 became 180\n\
+             duration         4.75 s\n",
+        ),
+    ] {
+        let said = run(&[&[&*data("walk.amc"), "--print"], &warp[..]].concat()).unwrap().0;
+        assert_eq!(said, format!("{once}\nwalk.amc, warped\n\nframes           {facts}"));
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn no_name_of_a_bone_can_command_the_terminal() {
+    let folder = Folder::new();
+    let odd = odd_files(&folder, 2);
+    let bad = |text: &str| text.replace("two", "t\u{1b}[31m\u{202e}wo");
+    fs::write(folder.path("odd one.asf"), bad(ODD_BONES)).unwrap();
+    fs::write(&odd, bad(&odd_motion(2))).unwrap();
+    let printed = run(&[&odd, "--print"]).unwrap().0;
+    let warped = run(&[&odd, "--out", &folder.text("new.amc"), "--warp", "9"]).unwrap().0;
+    assert!(warped.contains("the two of t"), "{warped}");
+    assert!(![printed, warped].concat().contains(['\u{1b}', '\u{202e}']));
+}
