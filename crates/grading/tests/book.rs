@@ -6,8 +6,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+use glam::{Quat, Vec3};
 use grading::{EXERCISES, Exercise, misconceptions_table, rubric_table};
+use parser::acclaim;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
+use skeleton::acclaim::{Bone, BoneId};
 
 fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -103,6 +106,46 @@ fn the_motion_file_in_the_handout_can_be_read() {
     assert!(reading.warnings.is_empty(), "{:?}", reading.warnings);
     assert_eq!(reading.motion.frame_count(), 1);
     assert_eq!(reading.motion.skeleton().len(), 4);
+}
+
+/// What the page says of its two files, and what it asks about them without giving the answer.
+#[test]
+fn the_files_of_bones_in_the_handout_can_be_read_and_are_what_the_page_says() {
+    let chapter = &texts()["docs/acclaim.md"];
+    let blocks = code_blocks(chapter);
+    let block = |begin: &str| blocks.iter().find(|(_, code)| code.contains(begin)).unwrap().1.clone();
+    let read = acclaim::read_skeleton(block(":version").as_bytes()).unwrap();
+    assert!(read.warnings.is_empty(), "{:?}", read.warnings);
+    let skeleton = read.skeleton;
+    let bone = |name: &str| skeleton.find(name).unwrap();
+    let names =
+        |bones: &mut dyn Iterator<Item = &Bone>| bones.map(|bone| bone.name.clone()).collect::<Vec<_>>();
+    assert_eq!(names(&mut skeleton.children(BoneId::ROOT)), ["lfemur", "lowerback"]);
+    assert_eq!(names(&mut skeleton.children(bone("lfemur").id)), ["ltibia"]);
+
+    // "The leg of the figure above points down and 15° outwards", and so do the axes of both bones.
+    let turned = |rotation: Quat, degrees: f32| {
+        let right = Quat::from_rotation_z(degrees.to_radians());
+        grading::fk::angle_between(rotation, right) < 0.01
+    };
+    for leg in ["lfemur", "ltibia"] {
+        let leg = bone(leg);
+        assert!((leg.direction.angle_between(Vec3::NEG_Y).to_degrees() - 15.0).abs() < 0.01);
+        assert!(turned(leg.axis_rotation, 15.0));
+        assert!(leg.local_direction.abs_diff_eq(Vec3::NEG_Y, 1e-4), "{}", leg.local_direction);
+    }
+    assert!(turned(bone("lfemur").rot_parent_current, 15.0));
+    assert!(turned(bone("ltibia").rot_parent_current, 0.0));
+    // "The knee turns about X only, and the back of this small figure does not turn at all."
+    let dofs = |name: &str| bone(name).dofs.iter().map(ToString::to_string).collect::<Vec<_>>();
+    assert_eq!((dofs("ltibia"), dofs("lowerback").len()), (vec!["rx".to_owned()], 0));
+
+    let read = acclaim::read_motion(block(":FULLY-SPECIFIED").as_bytes(), &skeleton).unwrap();
+    assert!(read.warnings.is_empty(), "{:?}", read.warnings);
+    assert_eq!(read.motion.frame_count(), 1);
+    let posture = read.motion.posture(0);
+    assert_eq!(posture.angles[bone("ltibia").id.0], [35.1, 0.0, 0.0]);
+    assert_eq!(posture.translations[0], Vec3::new(10.5, 88.2, -3.4));
 }
 
 #[test]

@@ -6,7 +6,7 @@
 #[path = "../../grading/tests/support/mod.rs"]
 mod support;
 
-use std::process::Command;
+use std::process::{Command, Output};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
@@ -121,6 +121,15 @@ fn saved_functions_move_the_bones_and_their_troubles_are_told_with_bone_and_part
     let (students, said) = picture(&desk.course, &[&exercise[..], &["--hide", "goal"]].concat());
     assert!(students == right.0 && said.is_empty(), "{said}");
 
+    for (kind, name) in [("--sheet", "sheet.png"), ("--gif", "film.gif"), ("--apng", "film.png")] {
+        let file = desk.course.folder.join(name);
+        let _ = fs::remove_file(&file);
+        let frames = [kind, file.to_str().unwrap(), "--frames", "100..110/2", "--size", "160x120"];
+        let output = view(&desk.course, &[&exercise[..], &frames].concat());
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        assert!(file.metadata().unwrap().len() > 1000, "{name}");
+    }
+
     let turn = "let [x, y, z] = angles";
     desk.save(&with(turn, &format!("assert!(bone.name != \"rtibia\", \"not today\");\n    {turn}")));
     let trouble = desk.trouble("not today");
@@ -151,15 +160,21 @@ fn saved_functions_move_the_bones_and_their_troubles_are_told_with_bone_and_part
 /// The picture of one frame, without words, as the program writes it in the copy; and what it says of trouble.
 fn picture(course: &Course, arguments: &[&str]) -> (Vec<u8>, String) {
     let file = course.folder.join("bones.png");
-    let output = Command::new(env!("CARGO_BIN_EXE_view"))
-        .env("CARGO_MANIFEST_DIR", course.folder.join("crates/viewer"))
-        .env_remove("DISPLAY")
-        .args([&format!("{}/data/walk.amc", support::WORKSPACE), "--png", file.to_str().unwrap()])
-        .args(["--frame", "100", "--size", "320x240", "--hide", "words,traces", "--camera", "40,10"])
-        .args(arguments)
-        .output()
-        .unwrap();
+    let usual = ["--png", file.to_str().unwrap(), "--frame", "100", "--size", "320x240", "--camera", "40,10"];
+    let hide = ["--hide", "words,traces"];
+    let output = view(course, &[&usual[..], &hide, arguments].concat());
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success(), "{said}");
     (fs::read(file).unwrap(), said)
+}
+
+/// The program, in the copy, on the walk.
+fn view(course: &Course, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_view"))
+        .env("CARGO_MANIFEST_DIR", course.folder.join("crates/viewer"))
+        .env_remove("DISPLAY")
+        .arg(format!("{}/data/walk.amc", support::WORKSPACE))
+        .args(arguments)
+        .output()
+        .unwrap()
 }

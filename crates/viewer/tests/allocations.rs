@@ -7,12 +7,15 @@ use std::sync::Arc;
 
 use exam::{Functions, InProcess};
 use skeleton::Representation;
+use skeleton::acclaim::{AcclaimFunctions, Bone, Skeleton, Visitor};
 use viewer::draw::Painter;
 use viewer::draw::canvas::Canvas;
 use viewer::edit::ReferenceHand;
 use viewer::live::board::Board;
+use viewer::live::mover::Mover;
 use viewer::live::package::Package;
 use viewer::live::student::{Standing, Status};
+use viewer::motion::source::Source;
 use viewer::scene::{Look, Scene, Style};
 use viewer::view::answers::Recorded;
 use viewer::view::app::{App, Shown, Sister};
@@ -69,6 +72,39 @@ fn from_the_frames_angles_to_pixels_nothing_is_allocated() {
             painter.draw(&scene, &mut canvas);
         };
         // Every letter and every trace has been there once.
+        (0..FRAMES).for_each(&mut show);
+        for frame in [0, 1, 2, 30, 31, 59, 4] {
+            let counted = allocation_counter::measure(|| show(frame));
+            assert_eq!(counted.count_total, 0, "frame {frame}: {counted:?}");
+        }
+    }
+}
+
+/// As the window does it for the exercise on bones, with a bone chosen, and one that is not visited.
+#[test]
+fn from_the_angles_of_bones_to_pixels_nothing_is_allocated() {
+    const FRAMES: usize = 60;
+    let data = |name: &str| format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"));
+    let walk = Source { skeleton: Some(data("walk.asf").into()), ..Source::new(data("walk.amc")) };
+    let stage = walk.read().unwrap().stage;
+    let visit_bones = |skeleton: &Skeleton, _: &Bone, visitor: &mut Visitor| {
+        skeleton.bones().iter().take(29).for_each(|bone| visitor.visit(bone));
+    };
+    let mut subject = InProcess(Functions::Acclaim(AcclaimFunctions { visit_bones, ..solutions::ACCLAIM }));
+    let mut answers = Recorded::ask(Mover::Acclaim, &mut subject, &stage, 0..FRAMES);
+    (0..FRAMES).for_each(|frame| answers.ask_details(&mut subject, &stage, frame));
+    answers.standing.board = Some(Arc::new(Board::of(&mut subject, Package::Acclaim)));
+    for shown in [Shown::Reference, Shown::Student(&answers)] {
+        let mut app = App::new(stage.clone(), "walk.amc".into(), Vec::new(), SIZE);
+        app.settings.bones = true;
+        app.select(Some(3));
+        let (mut painter, mut canvas, mut scene) =
+            (Painter::new(), Canvas::new(SIZE.0, SIZE.1), Scene::default());
+        let mut show = |frame: usize| {
+            app.go_to(frame);
+            app.fill(&mut scene, shown, SIZE);
+            painter.draw(&scene, &mut canvas);
+        };
         (0..FRAMES).for_each(&mut show);
         for frame in [0, 1, 2, 30, 31, 59, 4] {
             let counted = allocation_counter::measure(|| show(frame));

@@ -7,6 +7,7 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use viewer::draw::canvas::{Canvas, Color};
+use viewer::motion::source::Source;
 use viewer::output::pictures::{PICTURES, Studio};
 
 /// A pixel counts as different when a channel differs by more than this: sines differ a little between machines.
@@ -21,7 +22,9 @@ fn workspace() -> PathBuf {
 
 fn studio() -> Studio {
     let read = |name: &str| parser::bvh::read_file(workspace().join("data").join(name)).unwrap().motion;
-    Studio::new(read("running.bvh"), read("dance.bvh"))
+    let data = |name: &str| workspace().join("data").join(name);
+    let walk = Source { skeleton: Some(data("walk.asf")), ..Source::new(data("walk.amc")) };
+    Studio::new(read("running.bvh"), read("dance.bvh"), walk.read().unwrap().stage)
 }
 
 fn folder() -> PathBuf {

@@ -267,6 +267,27 @@ mod errors {
     }
 
     #[test]
+    fn an_exercise_on_bones_wants_bones_and_says_how_to_get_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let picture = folder.path().join("never.png");
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/dance.bvh");
+        let file = file.to_str().unwrap();
+        for mode in [&["--png", picture.to_str().unwrap()][..], &["--solution"], &[]] {
+            let output = view(&[&["--exercise", "acclaim", file], mode].concat());
+            assert_eq!(output.status.code(), Some(1));
+            let told = stderr(&output);
+            assert!(told.starts_with("dance.bvh holds joints, and this exercise moves bones"), "{told}");
+            assert!(
+                told.contains("data/walk.asf") && told.contains(&format!("cargo view {file} --out ")),
+                "{told}"
+            );
+        }
+        assert!(!picture.exists());
+        // What is asked of no functions needs no bones.
+        assert!(view(&["--exercise", "acclaim", file, "--print"]).status.success());
+    }
+
+    #[test]
     fn an_unknown_option_is_a_usage_error() {
         for wrong in [&["--sizes"][..], &["--size", "12"], &["--frame", "-1"], &["--positions", "no"]] {
             assert_eq!(view(wrong).status.code(), Some(2));

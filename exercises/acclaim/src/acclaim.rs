@@ -3,7 +3,9 @@
 //! This is the only file that you edit, and the only one that you hand in. It holds three functions. Each is checked by
 //! itself, so that you can write and check them in any order.
 //!
-//! `cargo test -p acclaim` shows your points and what to do next; `cargo test -p acclaim part1` checks part 1 only.
+//! - Try it: `cargo view --exercise acclaim` opens a window in which the bones of a walk move as your functions say.
+//! - Check it: `cargo test -p acclaim` shows your points and what to do next; `cargo test -p acclaim part1` checks part 1
+//!   only.
 //!
 //! All axes are right-handed. Angles are in degrees. A quaternion is written (x, y, z, w), and `a * b` is the rotation
 //! that does `b` first and `a` after it. Keep nothing between calls.

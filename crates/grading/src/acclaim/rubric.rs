@@ -6,7 +6,7 @@ use crate::{CheckRubric, PartRubric, Rubric};
 pub static RUBRIC: Rubric = Rubric {
     exercise: "acclaim",
     title: "Acclaim forward kinematics",
-    invitation: "go on with time warping",
+    invitation: "run `cargo view --exercise acclaim` and see it walk",
     parts: &[
         PartRubric {
             id: "part1",

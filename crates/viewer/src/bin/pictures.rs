@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::process::ExitCode;
 
+use viewer::motion::source::Source;
 use viewer::output::edit::experiment::Experiment;
 use viewer::output::picture;
 use viewer::output::pictures::{PICTURES, Studio};
@@ -23,7 +24,10 @@ fn make() -> Result<(), String> {
         let read = parser::bvh::read_file(workspace.join("data").join(name));
         read.map(|read| read.motion).map_err(|error| error.to_string())
     };
-    let mut studio = Studio::new(read("running.bvh")?, read("dance.bvh")?);
+    let data = |name: &str| workspace.join("data").join(name);
+    let walk = Source { skeleton: Some(data("walk.asf")), ..Source::new(data("walk.amc")) };
+    let walk = walk.read().map_err(|error| error.to_string())?.stage;
+    let mut studio = Studio::new(read("running.bvh")?, read("dance.bvh")?, walk);
     let folder = workspace.join("docs").join("pictures");
     std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     for made in PICTURES {

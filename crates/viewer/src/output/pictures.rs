@@ -1,5 +1,7 @@
 //! The book's pictures, made by the viewer itself so that they show what students see.
 
+mod bones;
+
 use std::sync::Arc;
 
 use exam::{Functions, InProcess};
@@ -31,7 +33,7 @@ impl Picture {
 }
 
 /// All pictures.
-pub const PICTURES: [Picture; 11] = [
+pub const PICTURES: [Picture; 14] = [
     Picture { name: "stub-frame-0", draw: |studio| studio.window(STUB, 0) },
     Picture { name: "stub-frame-300", draw: |studio| studio.window(STUB, 300) },
     Picture { name: "part-1", draw: |studio| studio.window(PART_1, 40) },
@@ -39,6 +41,9 @@ pub const PICTURES: [Picture; 11] = [
     Picture { name: "solved", draw: |studio| studio.window(solutions::FK, 300) },
     Picture { name: "window", draw: Studio::joint },
     Picture { name: "keyframes", draw: Studio::keyframes },
+    Picture { name: "acclaim-stub", draw: |studio| studio.bones(bones::STUB, 100) },
+    Picture { name: "acclaim-stiff", draw: |studio| studio.bones(bones::STIFF, 100) },
+    Picture { name: "acclaim-order", draw: Studio::orders },
     Picture { name: "rest-pose", draw: Studio::rest_pose },
     Picture { name: "local-and-global", draw: Studio::local_and_global },
     Picture { name: "run", draw: Studio::run },
@@ -71,15 +76,16 @@ const UNTURNED: FkFunctions = FkFunctions {
 pub struct Studio {
     stage: Arc<Stage>,
     dance: Arc<Stage>,
+    walk: Arc<Stage>,
     painter: Painter,
 }
 
 impl Studio {
-    /// Makes pictures of a run, and one of a dance.
-    pub fn new(running: Motion, dance: Motion) -> Studio {
+    /// Makes pictures of a run, one of a dance, and some of a walk of bones.
+    pub fn new(running: Motion, dance: Motion, walk: Arc<Stage>) -> Studio {
         let [stage, dance] =
             [running, dance].map(|motion| Arc::new(Stage::new(motion, PositionChannels::Replace)));
-        Studio { stage, dance, painter: Painter::new() }
+        Studio { stage, dance, walk, painter: Painter::new() }
     }
 
     /// The window as it looks when a student's functions are these.

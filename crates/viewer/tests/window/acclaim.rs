@@ -63,7 +63,7 @@ fn edits() {
     viewer.wait_for_frame(101);
 
     viewer.forget_words();
-    save(&with("visitor.visit(bone);", "visitor.visit(bone)"));
+    save(&with("next = child.sibling;", "next = child.sibling +;"));
     viewer.wait_for_words("your code does not compile");
     viewer.key("w");
     viewer.wait_for_frame(102);
@@ -81,10 +81,8 @@ fn edits() {
     viewer.wait_for_words("in part3, visit_bones");
 
     viewer.forget_words();
-    save(&with(
-        "visitor.visit(bone);",
-        "if bone.is_root() { println!(\"here I am\"); }\n    visitor.visit(bone);",
-    ));
+    let next = "let mut next = bone.child;";
+    save(&with(next, &format!("if bone.is_root() {{ println!(\"here I am\"); }}\n    {next}")));
     viewer.wait_for_words("here I am");
     viewer.wait_for_words("15 of 15 points");
     viewer.close();

@@ -1,0 +1,88 @@
+//! The pictures of the exercise on bones.
+
+use std::sync::Arc;
+
+use exam::{Functions, InProcess};
+use glam::Quat;
+use skeleton::Pose;
+use skeleton::acclaim::AcclaimFunctions;
+
+use super::Studio;
+use crate::draw::canvas::{Canvas, Color, Weight};
+use crate::live::board::Board;
+use crate::live::mover::Mover;
+use crate::live::student::ask;
+use crate::motion::stage::{MARGIN, Wanted};
+use crate::scene::{Look, Scene, Style};
+use crate::view::answers::Recorded;
+use crate::view::app::{App, Shown};
+
+/// What a student has at the beginning.
+pub(super) const STUB: AcclaimFunctions = grading::acclaim::TEMPLATE;
+
+/// Parts 2 and 3.
+pub(super) const STIFF: AcclaimFunctions =
+    AcclaimFunctions { bone_rotation: STUB.bone_rotation, ..solutions::ACCLAIM };
+
+/// Part 1 with its three rotations in the order X, Y, Z.
+const TURNED_ROUND: AcclaimFunctions = AcclaimFunctions {
+    bone_rotation: |bone, angles, parent| {
+        let [x, y, z] = angles.map(f32::to_radians);
+        let turn = Quat::from_rotation_x(x) * Quat::from_rotation_y(y) * Quat::from_rotation_z(z);
+        parent * bone.rot_parent_current * turn
+    },
+    ..solutions::ACCLAIM
+};
+
+impl Studio {
+    /// The window of the exercise on bones as it looks when a student's functions are these.
+    pub(super) fn bones(&mut self, functions: AcclaimFunctions, frame: usize) -> Canvas {
+        const SIZE: (usize, usize) = (960, 540);
+        let mut app = App::new(self.walk.clone(), "walk.amc".into(), Vec::new(), SIZE);
+        app.settings.bones = true;
+        app.go_to(frame);
+        let mut subject = InProcess(Functions::Acclaim(functions));
+        let mut recorded = Recorded::ask(Mover::Acclaim, &mut subject, &self.walk, 0..=frame);
+        recorded.standing.board = Some(Arc::new(Board::of(&mut subject, Mover::Acclaim.package())));
+        self.draw(&app.scene(Shown::Student(&recorded), SIZE), SIZE)
+    }
+
+    /// One frame twice: with the three rotations of a bone multiplied as they are meant, and the other way round.
+    pub(super) fn orders(&mut self) -> Canvas {
+        const FRAME: usize = 259;
+        const TILE: (usize, usize) = (480, 540);
+        const SIDE: (f32, f32) = (1.05, 0.1);
+        let both = [("ZYX: Rz Ry Rx", solutions::ACCLAIM), ("XYZ: Rx Ry Rz", TURNED_ROUND)];
+        let mut picture = Canvas::new(2 * TILE.0, TILE.1);
+        let poses = both.map(|(_, functions)| self.pose_of(functions, FRAME));
+        let points: Vec<_> = poses.iter().flat_map(|pose| self.walk.places(pose)).collect();
+        for (column, ((order, _), pose)) in both.iter().zip(&poses).enumerate() {
+            let mut scene = Scene {
+                camera: self.walk.camera(self.walk.anchor(FRAME), &[], TILE),
+                ground: self.walk.ground(),
+                style: Style::Lit,
+                size: self.walk.size(),
+                text_scale: 1.0,
+                ..Scene::default()
+            };
+            (scene.camera.azimuth, scene.camera.elevation) = SIDE;
+            scene.camera.frame(&points, TILE, MARGIN, 0.0);
+            self.walk.fill(
+                scene.figures.add(),
+                pose,
+                &Wanted { look: Look::Solid, axes: false, ..Wanted::default() },
+            );
+            let mut tile = self.draw(&scene, TILE);
+            self.painter.caption(order, (16, TILE.1 as i32 - 18), 20, Weight::Regular, &mut tile);
+            tile.rectangle((TILE.0 as i32 - 1, 0), (1, TILE.1 as i32), Color::WHITE, 0.7);
+            picture.paste(&tile, column * TILE.0, 0);
+        }
+        picture
+    }
+
+    fn pose_of(&self, functions: AcclaimFunctions, frame: usize) -> Pose {
+        let mut subject = InProcess(Functions::Acclaim(functions));
+        let posed = ask(Mover::Acclaim, &mut subject, &self.walk, frame..frame + 1);
+        posed.ok().and_then(|mut posed| posed.pop()).map(|posed| posed.pose).unwrap_or_default()
+    }
+}
