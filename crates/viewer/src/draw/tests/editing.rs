@@ -163,7 +163,7 @@ fn a_small_plot_fits_into_half_a_window_and_its_posts_are_green() {
         let [red, green, blue] = color.channels();
         u32::from(green) > u32::from(red.max(blue)) + 40
     };
-    let upwards = places(&with, |color| line(color)).iter().map(|place| place.1).collect::<Vec<_>>();
+    let upwards = places(&with, line).iter().map(|place| place.1).collect::<Vec<_>>();
     assert!(upwards.iter().max().unwrap() - upwards.iter().min().unwrap() > 80);
 }
 
