@@ -122,4 +122,20 @@ mod tests {
         let ends = [-1.0, 1.0].map(|aside| view.project(camera.target + view.right * aside).unwrap().x);
         assert!((long - (ends[1] - ends[0])).abs() <= 1.0, "{long} {ends:?}");
     }
+
+    #[test]
+    fn the_ruler_gives_way_to_what_stands_on_the_right() {
+        let camera = Camera { distance: 10.0, ..Camera::default() };
+        let ruler = ScaleBar { length: 2.0, label: String::new() };
+        let last = |right: i32| {
+            let mut canvas = Canvas::new(600, 400);
+            canvas.clear(Color::WHITE);
+            let long = pixels(2.0, &camera, &camera.view((600, 400)));
+            draw(&ruler, long, 1.0, (right, 400), &mut Typeface::without_letters(), &mut canvas);
+            let dark = canvas.pixels().iter().enumerate().filter(|(_, pixel)| **pixel == INK.0);
+            dark.map(|(index, _)| index % 600).max().unwrap()
+        };
+        assert_eq!(last(600), last(500), "there is room in the middle");
+        assert!(last(350) < 350 && last(350) < last(600));
+    }
 }

@@ -14,9 +14,12 @@ use crate::edit::ReferenceHand;
 use crate::live::board::Board;
 use crate::live::package::Package;
 use crate::motion::stage::Stage;
+use crate::motion::time_map::TimeMap;
 use crate::scene::{Axes, Dot, Figure, Look, Mark, Scene, Side, Style, Tint};
 use crate::view::answers::Recorded;
 use crate::view::app::{App, Shown};
+use crate::view::gallery::Gallery;
+use crate::view::screen::Screen;
 
 /// One picture: the name of its file, and how it is made.
 pub struct Picture {
@@ -33,7 +36,7 @@ impl Picture {
 }
 
 /// All pictures.
-pub const PICTURES: [Picture; 14] = [
+pub const PICTURES: [Picture; 15] = [
     Picture { name: "stub-frame-0", draw: |studio| studio.window(STUB, 0) },
     Picture { name: "stub-frame-300", draw: |studio| studio.window(STUB, 300) },
     Picture { name: "part-1", draw: |studio| studio.window(PART_1, 40) },
@@ -44,6 +47,7 @@ pub const PICTURES: [Picture; 14] = [
     Picture { name: "acclaim-stub", draw: |studio| studio.bones(bones::STUB, 100) },
     Picture { name: "acclaim-stiff", draw: |studio| studio.bones(bones::STIFF, 100) },
     Picture { name: "acclaim-order", draw: Studio::orders },
+    Picture { name: "time-warp", draw: Studio::time_warp },
     Picture { name: "rest-pose", draw: Studio::rest_pose },
     Picture { name: "local-and-global", draw: Studio::local_and_global },
     Picture { name: "run", draw: Studio::run },
@@ -120,6 +124,21 @@ impl Studio {
         app.edit(&mut ReferenceHand::default());
         app.go_to(FRAME);
         self.draw(&app.scene(Shown::Reference, SIZE), SIZE)
+    }
+
+    /// The window with a motion and the same one warped: one step of a run in slow motion.
+    fn time_warp(&mut self) -> Canvas {
+        const SIZE: (usize, usize) = (1280, 720);
+        const FRAME: usize = 320;
+        let Some(map) = TimeMap::stretch(self.stage.moving_frames(), (230, 300), 280) else {
+            return Canvas::new(1, 1);
+        };
+        let app = |stage| App::new(stage, "running.bvh".into(), Vec::new(), (SIZE.0 / 2, SIZE.1));
+        let mut gallery = Gallery::new(vec![app(self.stage.clone()), app(Arc::new(self.stage.warped(map)))]);
+        gallery.go_to(1, FRAME);
+        let mut screen = Screen::new(SIZE);
+        screen.update(&mut gallery, |_| Shown::Reference, SIZE);
+        screen.canvas().clone()
     }
 
     /// The skeleton with nothing turned: every joint's name and axes.

@@ -22,6 +22,8 @@ mod sister;
 mod support;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod viewer;
+#[cfg(all(unix, not(target_os = "macos")))]
+mod warp;
 
 /// Tests that edit the same copy of the workspace take turns.
 #[cfg(all(unix, not(target_os = "macos")))]
@@ -38,7 +40,7 @@ fn main() {
     if !possible {
         println!("NOT RUN: the tests of the window need Xvfb and xdotool (packages xvfb and xdotool).");
     }
-    let quick = input::TESTS.iter().chain(files::TESTS).map(|test| (test, false));
+    let quick = input::TESTS.iter().chain(files::TESTS).chain(warp::TESTS).map(|test| (test, false));
     let slow = live::TESTS.iter().chain(sister::TESTS).chain(acclaim::TESTS).map(|test| (test, true));
     let trials = quick.chain(slow).map(|((name, test), slow)| {
         Trial::test(*name, move || {

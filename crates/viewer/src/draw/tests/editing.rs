@@ -141,6 +141,48 @@ fn curves_rise_to_the_right_one_is_solid_and_the_other_dashed() {
     }
 }
 
+/// A small plot, as that of a warp.
+fn small() -> Scene {
+    let mut plot = Plot { small: true, posts: vec![0.25], ..plot() };
+    plot.curves.items_mut()[1].stroke = Stroke::Faint;
+    Scene { plot: Some(plot), ..scene(Vec::new()) }
+}
+
+#[test]
+fn a_small_plot_fits_into_half_a_window_and_its_posts_are_green() {
+    let size = (640, 720);
+    let with = drawn(&small(), size);
+    let without = drawn(&Scene { plot: None, ..small() }, size);
+    let changed = with.pixels().iter().zip(without.pixels()).enumerate().filter(|(_, (a, b))| a != b);
+    let columns: Vec<usize> = changed.map(|(index, _)| index % size.0).collect();
+    let (left, right) = (columns.iter().min().unwrap(), columns.iter().max().unwrap());
+    assert!(right - left < 250 && *left > 380 && *right < 639, "{left} to {right}");
+    let foot = places(&with, |color| color == color_of(Tint::Keyframe));
+    assert!((4..40).contains(&foot.len()), "{}", foot.len());
+    let line = |color: Color| {
+        let [red, green, blue] = color.channels();
+        u32::from(green) > u32::from(red.max(blue)) + 40
+    };
+    let upwards = places(&with, line).iter().map(|place| place.1).collect::<Vec<_>>();
+    assert!(upwards.iter().max().unwrap() - upwards.iter().min().unwrap() > 80);
+}
+
+#[test]
+fn what_others_are_compared_with_is_thinner_than_they_are_and_dashed() {
+    let canvas = drawn(&small(), (640, 720));
+    let ink = |stroke: Stroke| {
+        let color = colors::curve(stroke).channels();
+        let close = |pixel: Color| pixel.channels().iter().zip(color).all(|(a, b)| a.abs_diff(b) < 40);
+        // Curves, without names above and numbers on the left and below.
+        let curves = places(&canvas, close)
+            .into_iter()
+            .filter(|(x, y)| (440..620).contains(x) && (570..620).contains(y));
+        curves.count()
+    };
+    let (solid, faint) = (ink(Stroke::Solid), ink(Stroke::Faint));
+    assert!(solid > 2 * faint && faint > 5, "{solid} and {faint}");
+}
+
 #[test]
 fn without_curves_the_plot_says_why() {
     let scene = |note: &str| {

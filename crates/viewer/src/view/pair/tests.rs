@@ -1,9 +1,12 @@
 //! A motion and the same one warped, in one window.
 
+use std::path::Path;
+
 use proptest::prelude::*;
 use skeleton::PositionChannels;
 
 use super::*;
+use crate::motion::source::Source;
 use crate::motion::time_map::TimeMap;
 use crate::samples;
 use crate::scene::{Line, Scene, Stroke};
@@ -275,22 +278,23 @@ mod picture {
         );
     }
 
-    /// Whatever is told: between the words above, the curve and what is below there is room for the figure.
+    /// The walk in the usual window: the figure stays between the words above, the curve, and what is below.
     #[test]
-    fn neither_words_nor_the_curve_cover_the_figure() {
-        for keyframes in [None, Some((10, 16))] {
-            let map = keyframes.map_or(TimeMap::Whole { old: 41, new: 90 }, |keyframes| {
-                TimeMap::stretch(41, keyframes, 20).unwrap()
-            });
-            let mut gallery = Gallery::new(pair_of(map));
-            for frame in 0..map.frame_count() {
+    fn neither_words_nor_the_curve_cover_a_figure() {
+        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+        let source = Source { skeleton: Some(data.join("walk.asf")), ..Source::new(data.join("walk.amc")) };
+        let original = source.read().unwrap().stage;
+        for map in [TimeMap::Whole { old: 480, new: 700 }, TimeMap::stretch(480, (100, 160), 200).unwrap()] {
+            let warped = Arc::new(original.warped(map));
+            let mut gallery = Gallery::new(vec![app(original.clone()), app(warped)]);
+            for frame in (0..map.frame_count()).step_by(9) {
                 gallery.go_to(1, frame);
                 for scene in scenes(&mut gallery) {
                     let view = scene.camera.view((640, 720));
+                    let words = 32.0 + 20.0 * scene.panels[0].lines().count() as f32;
                     for dot in &scene.figures[0].joints {
                         let spot = view.project(dot.place).unwrap();
-                        let lines = scene.panels[0].lines().count() as f32;
-                        assert!(spot.y > 32.0 + 20.0 * lines && spot.y < 640.0, "{frame}: {spot:?}");
+                        assert!(spot.y > words && spot.y < 660.0, "{frame}: {spot:?}");
                         assert!(spot.x > 8.0 && (spot.x < 384.0 || spot.y < 422.0), "{frame}: {spot:?}");
                     }
                 }
