@@ -24,18 +24,6 @@ fn assert_done(output: &Output) {
 }
 
 #[test]
-fn a_warped_motion_is_printed_in_two_lines_behind_the_original() {
-    let walk = data("walk.amc");
-    let (plain, warped) = (view(&[&walk, "--print"]), view(&[&walk, "--print", "--warp", "960"]));
-    assert_done(&warped);
-    let (plain, warped) = (text(&plain.stdout), text(&warped.stdout));
-    let behind = warped.strip_prefix(&plain).unwrap();
-    assert_eq!(behind, "\nwalk.amc, 480 → 960 frames\nduration         8.00 s\n");
-    let stretch = view(&[&walk, "--print", "--between", "160,100", "--warp", "200"]);
-    assert!(text(&stretch.stdout).contains("\nwalk.amc, frames 100–160: 60 → 200\n"));
-}
-
-#[test]
 fn keyframes_and_frames_that_are_not_there_are_told() {
     let walk = data("walk.amc");
     let png = tempfile::tempdir().unwrap().path().join("a.png").to_str().unwrap().to_owned();

@@ -45,19 +45,19 @@ fn what_is_unusual_about_bones_is_printed() {
 #[test]
 fn a_warped_motion_is_not_printed_a_second_time() {
     let once = run(&[&data("walk.amc"), "--print"]).unwrap().0;
-    for (warp, facts) in [
+    for (warp, title, frames, seconds) in [
+        (&["--warp", "960"][..], "480 → 960 frames", "960 (numbered 0 to 959)", "8.00"),
+        (&["--between", "10,100"], "frames 10–100: 90 → 180", "570 (numbered 0 to 569)", "4.75"),
         (
-            ["--warp", "960"],
-            "960 (numbered 0 to 959)\nmade of          480 frames\nduration         8.00 s\n",
-        ),
-        (
-            ["--between", "10,100"],
-            "570 (numbered 0 to 569)\nmade of          480 frames: the 90 from 10 to 100 became 180\n\
-             duration         4.75 s\n",
+            &["--between", "160,100", "--warp", "200"],
+            "frames 100–160: 60 → 200",
+            "620 (numbered 0 to 619)",
+            "5.17",
         ),
     ] {
-        let said = run(&[&[&*data("walk.amc"), "--print"], &warp[..]].concat()).unwrap().0;
-        assert_eq!(said, format!("{once}\nwalk.amc, warped\n\nframes           {facts}"));
+        let said = run(&[&[&*data("walk.amc"), "--print"], warp].concat()).unwrap().0;
+        let facts = format!("frames           {frames}\nduration         {seconds} s\n");
+        assert_eq!(said, format!("{once}\nwalk.amc, {title}\n\n{facts}"));
     }
 }
 

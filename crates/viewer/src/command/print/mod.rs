@@ -9,13 +9,14 @@ pub use numbers::{count, number, shortened};
 
 use crate::motion::source::{Loaded, Source};
 use crate::motion::time_map::TimeMap;
+use crate::view::texts::write_warp;
 
 /// What is printed of a motion: its name, its skeleton, a summary, and what is odd about the file. Of one that is warped, and
 /// stands beside the original, only what is not the same.
 pub fn report(source: &Source, loaded: &Loaded) -> String {
     let (title, motion) = (source.title(), loaded.stage.motion());
     if let Some(map) = loaded.stage.warp() {
-        return format!("\n{title}, warped\n\n{}", warped(map, motion.playable_frame_time()));
+        return format!("\n{}", warped(title, map, motion.playable_frame_time()));
     }
     let (tree, summary) = match loaded.stage.bones() {
         Some(bones) => (
@@ -31,20 +32,15 @@ pub fn report(source: &Source, loaded: &Loaded) -> String {
     format!("{title}\n\n{tree}\n{summary}{warnings}")
 }
 
-/// What a time warp, with so many seconds from one frame to the next, makes of a motion.
-fn warped(map: TimeMap, seconds: f64) -> String {
+/// What a time warp, with so many seconds from one frame to the next, makes of the motion `title`.
+fn warped(mut title: String, map: TimeMap, seconds: f64) -> String {
+    write_warp(&mut title, &map);
     let frames = map.frame_count();
-    let stretch = match map {
-        TimeMap::Whole { .. } => String::new(),
-        TimeMap::Stretch { first, last, new, .. } => {
-            format!(": the {} from {first} to {last} became {new}", last - first)
-        }
-    };
-    lines(&[
+    let facts = lines(&[
         ("frames", format!("{frames} ({})", numbering(frames))),
-        ("made of", count(map.old_count(), "frame", "frames") + &stretch),
         ("duration", format!("{} s", number(frames as f64 * seconds, 2))),
-    ])
+    ]);
+    format!("{title}\n\n{facts}")
 }
 
 /// One fact per line.
