@@ -18,7 +18,6 @@ use grading::PartState;
 use skeleton::Pose;
 
 use crate::edit::Edited;
-use crate::live::mover::Mover;
 use crate::live::student::{Details, Posed, Standing};
 use crate::scene::{Corner, Line, Off, Panel, Pool};
 use crate::view::app::{App, Shown};
@@ -79,7 +78,7 @@ impl Facts<'_> {
     /// Whether what is shown is what the exercise on bones makes of the motion.
     fn is_of_bones(&self) -> bool {
         match self.shown {
-            Shown::Student(answers) => answers.mover() == Mover::Acclaim,
+            Shown::Student(answers) => answers.mover().needs_bones(),
             Shown::Reference => self.app.settings.bones && self.edited.is_none(),
         }
     }
