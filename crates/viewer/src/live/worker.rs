@@ -267,7 +267,7 @@ mod tests {
 
     #[test]
     fn every_exercise_is_built_by_its_name_and_told_with_its_file() {
-        for exercise in [Package::Interpolation, Package::Keyframes] {
+        for exercise in [Package::Interpolation, Package::Keyframes, Package::Acclaim] {
             let students = "pub fn wrong() -> u8 { 'c' }\n";
             let folder = package_of(exercise, &format!("mod {};\nfn main() {{}}\n", exercise.name()));
             let compile =

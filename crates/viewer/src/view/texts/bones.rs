@@ -44,7 +44,7 @@ pub fn in_other_orders(facts: &Facts, panel: &mut Panel) {
         panel.add(
             Line::Trouble,
             format_args!(
-                "not in the order rx ry rz in this file: {names}. Rz Ry Rx turns them otherwise than it means, in the goal too"
+                "{names}: not listed as rx ry rz in this file. The exercise turns them by Rz Ry Rx all the same, and so does the goal"
             ),
         );
     }

@@ -20,7 +20,6 @@ use grading::PartState;
 use skeleton::Pose;
 
 use crate::edit::Edited;
-use crate::live::mover::Mover;
 use crate::live::student::{Details, Posed, Standing};
 use crate::scene::{Corner, Line, Off, Panel, Pool};
 use crate::view::app::{App, Shown};

@@ -206,7 +206,7 @@ fn a_file_in_other_orders_is_warned_about_and_the_solution_agrees_with_the_goal(
     recorded.standing.board = board([Right; 3]);
     let scene = app.scene(Shown::Student(&recorded), SIZE);
     assert!(scene.figures[1].joints.iter().all(|dot| dot.off == Off::Right));
-    let warning = "not in the order rx ry rz in this file: lfemur. ";
+    let warning = "lfemur: not listed as rx ry rz in this file. ";
     assert!(words(&scene).contains(warning), "{}", words(&scene));
     let file = app.stage.reference(100);
     let off = file.transforms().iter().zip(&scene.figures[0].joints);
