@@ -169,18 +169,24 @@ fn a_small_plot_fits_into_half_a_window_and_its_posts_are_green() {
 
 #[test]
 fn what_others_are_compared_with_is_thinner_than_they_are_and_dashed() {
-    let canvas = drawn(&small(), (640, 720));
     let ink = |stroke: Stroke| {
+        let mut scene = small();
+        let plot = scene.plot.as_mut().unwrap();
+        // The other one lies flat below.
+        plot.curves.items_mut()[0].points = vec![(0.0, 0.0), (1.0, 0.0)];
+        plot.curves.items_mut()[1].stroke = stroke;
+        plot.mark = None;
+        let canvas = drawn(&scene, (640, 720));
         let color = colors::curve(stroke).channels();
         let close = |pixel: Color| pixel.channels().iter().zip(color).all(|(a, b)| a.abs_diff(b) < 40);
         // Curves, without names above and numbers on the left and below.
-        let curves = places(&canvas, close)
+        let curve = places(&canvas, close)
             .into_iter()
-            .filter(|(x, y)| (440..620).contains(x) && (570..620).contains(y));
-        curves.count()
+            .filter(|(x, y)| (440..620).contains(x) && (550..615).contains(y));
+        curve.count()
     };
-    let (solid, faint) = (ink(Stroke::Solid), ink(Stroke::Faint));
-    assert!(solid > 2 * faint && faint > 5, "{solid} and {faint}");
+    let [solid, dashed, faint] = [Stroke::Solid, Stroke::Dashed, Stroke::Faint].map(ink);
+    assert!(faint > 5 && 4 * faint < 3 * dashed && 4 * dashed < 3 * solid, "{solid}, {dashed}, {faint}");
 }
 
 #[test]
