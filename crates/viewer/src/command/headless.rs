@@ -114,6 +114,9 @@ impl Studio {
             for recorded in self.answers.iter_mut().flatten() {
                 recorded.standing.board = Some(board.clone());
             }
+            for (app, behind) in self.gallery.apps_mut().iter_mut().zip(self.answers.iter().skip(1)) {
+                app.show_standing(behind.as_ref().map(|behind| behind.standing.clone()));
+            }
         }
     }
 

@@ -102,9 +102,17 @@ impl Session {
             engine.want(app.wish());
             engine.update();
             app.show_edit(engine.state());
-            if let Functions::Sister(sister) = &self.functions {
-                let (package, standing) = (sister.package(), sister.standing(motion));
-                app.show_sister(Some(app::Sister { package, standing }));
+            match &self.functions {
+                Functions::Sister(sister) => {
+                    let (package, standing) = (sister.package(), sister.standing(motion));
+                    app.show_sister(Some(app::Sister { package, standing }));
+                }
+                // What is warped is behind its original.
+                Functions::Student(live) if !live.moves(app.stage()) => {
+                    let standing = live.student().standing(motion + 1, app.frame());
+                    app.show_standing(Some(standing));
+                }
+                Functions::Student(_) | Functions::Reference(..) => {}
             }
         }
     }

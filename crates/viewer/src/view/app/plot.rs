@@ -91,7 +91,7 @@ impl App {
             return;
         }
         if let Some(right) = plot.curves.items_mut().last_mut() {
-            write(&mut right.name, format_args!("expected"));
+            write(&mut right.name, format_args!("goal"));
             right.stroke = Stroke::Dashed;
         }
         let curve = plot.curves.add();

@@ -6,6 +6,7 @@ use glam::Vec3;
 
 use super::{Aim, App};
 use crate::camera::Camera;
+use crate::live::student::Standing;
 use crate::motion::stage::Stage;
 use crate::motion::time_map::TimeMap;
 use crate::view::texts;
@@ -73,6 +74,16 @@ impl App {
         }
         self.paired = true;
         self.stretch = stretch;
+    }
+
+    /// Shows how things stand with a student's functions that move the other motion of the pair: here there is room for points.
+    pub fn show_standing(&mut self, standing: Option<Standing>) {
+        self.of_other = standing;
+    }
+
+    /// How things stand with a student's functions that move the other motion of the pair.
+    pub fn standing_of_other(&self) -> Option<&Standing> {
+        self.of_other.as_ref()
     }
 
     /// Whether the motion is one of a pair: the original, or the warped one.

@@ -20,6 +20,7 @@ use grading::PartState;
 use skeleton::Pose;
 
 use crate::edit::Edited;
+use crate::live::mover::Mover;
 use crate::live::student::{Details, Posed, Standing};
 use crate::scene::{Corner, Line, Off, Panel, Pool};
 use crate::view::app::{App, Shown};
@@ -93,7 +94,8 @@ impl Facts<'_> {
 
     /// How things stand with the student's functions, whatever they do.
     fn standing_of_any(&self) -> Option<&Standing> {
-        self.app.sister().map(|sister| &sister.standing).or(self.standing)
+        let sisters = self.app.sister().map(|sister| &sister.standing);
+        sisters.or(self.standing).or(self.app.standing_of_other())
     }
 
     /// Whether there is room for words beside the figure.
@@ -107,9 +109,15 @@ impl Facts<'_> {
         self.has_room(width, height)
     }
 
-    /// Whether there is room for points: beside each other two figures have little of it.
-    fn has_room_for_points(&self) -> bool {
-        self.is_roomy() || (self.has_room(300.0, 300.0) && !self.app.is_paired())
+    /// Where there is room for points. Beside each other two figures have little of it: there the original has them, whose
+    /// picture is emptier.
+    fn corner_for_points(&self) -> Option<Corner> {
+        let warped = self.app.time_map().is_some();
+        match () {
+            () if self.is_roomy() => Some(Corner::TopRight),
+            () if !self.app.is_paired() => self.has_room(300.0, 300.0).then_some(Corner::BottomLeft),
+            () => (!warped && self.has_room(440.0, 560.0)).then_some(Corner::BottomRight),
+        }
     }
 
     /// Whether the picture has at least this much room.
@@ -141,8 +149,7 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
     let before_plot = panels.len();
     // A figure that is covered by words is of no use.
     let (room, roomy) = (facts.has_room(300.0, 300.0), facts.is_roomy());
-    if settings.points && facts.has_room_for_points() {
-        let corner = if roomy { Corner::TopRight } else { Corner::BottomLeft };
+    if let Some(corner) = facts.corner_for_points().filter(|_| settings.points) {
         points::write(facts, begin(panels, corner));
     }
     if facts.app.selected().is_some() && room {
