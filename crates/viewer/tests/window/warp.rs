@@ -57,10 +57,15 @@ fn keys_change_the_warp_and_bars_go_to_one_time() {
     viewer.mouse(&["mousedown", "1"]);
     viewer.wait_for_frame(70);
     viewer.mouse(&["mouseup", "1"]);
+    // A key behind it tells that this was noticed: the next press is another one.
+    viewer.key("w");
+    viewer.wait_for_frame(71);
     viewer.move_to(1270, 693);
     viewer.mouse(&["mousedown", "1"]);
     viewer.wait_for_frame(184);
     viewer.mouse(&["mouseup", "1"]);
+    viewer.key("comma");
+    viewer.wait_for_frame(183);
     viewer.key("Home");
     viewer.wait_for_frame(0);
     viewer.key("space");
