@@ -36,7 +36,7 @@ impl Picture {
 }
 
 /// All pictures.
-pub const PICTURES: [Picture; 15] = [
+pub const PICTURES: [Picture; 16] = [
     Picture { name: "stub-frame-0", draw: |studio| studio.window(STUB, 0) },
     Picture { name: "stub-frame-300", draw: |studio| studio.window(STUB, 300) },
     Picture { name: "part-1", draw: |studio| studio.window(PART_1, 40) },
@@ -48,6 +48,7 @@ pub const PICTURES: [Picture; 15] = [
     Picture { name: "acclaim-stiff", draw: |studio| studio.bones(bones::STIFF, 100) },
     Picture { name: "acclaim-order", draw: Studio::orders },
     Picture { name: "time-warp", draw: Studio::time_warp },
+    Picture { name: "time-warp-mixed", draw: Studio::warped_by_student },
     Picture { name: "rest-pose", draw: Studio::rest_pose },
     Picture { name: "local-and-global", draw: Studio::local_and_global },
     Picture { name: "run", draw: Studio::run },

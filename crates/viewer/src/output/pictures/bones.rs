@@ -1,11 +1,11 @@
-//! The pictures of the exercise on bones.
+//! The pictures of the exercises on bones.
 
 use std::sync::Arc;
 
 use exam::{Functions, InProcess};
 use glam::Quat;
 use skeleton::Pose;
-use skeleton::acclaim::AcclaimFunctions;
+use skeleton::acclaim::{AcclaimFunctions, Between, Posture, TimeWarpFunctions};
 
 use super::Studio;
 use crate::draw::canvas::{Canvas, Color, Weight};
@@ -13,9 +13,12 @@ use crate::live::board::Board;
 use crate::live::mover::Mover;
 use crate::live::student::ask;
 use crate::motion::stage::{MARGIN, Wanted};
+use crate::motion::time_map::TimeMap;
 use crate::scene::{Look, Scene, Style};
 use crate::view::answers::Recorded;
 use crate::view::app::{App, Shown};
+use crate::view::gallery::Gallery;
+use crate::view::screen::Screen;
 
 /// What a student has at the beginning.
 pub(super) const STUB: AcclaimFunctions = grading::acclaim::TEMPLATE;
@@ -33,6 +36,26 @@ const TURNED_ROUND: AcclaimFunctions = AcclaimFunctions {
     },
     ..solutions::ACCLAIM
 };
+
+/// Part 2 with the angles about X and Z exchanged.
+const MIXED_UP: TimeWarpFunctions = TimeWarpFunctions {
+    blend,
+    warp: |postures, new_count| {
+        let frame = |index| {
+            let Between { before, after, t } =
+                (solutions::TIME_WARP.old_position)(index, postures.len(), new_count);
+            blend(&postures[before], &postures[after], t)
+        };
+        (0..new_count).map(frame).collect()
+    },
+    ..solutions::TIME_WARP
+};
+
+fn blend(from: &Posture, to: &Posture, t: f32) -> Posture {
+    let mut posture = (solutions::TIME_WARP.blend)(from, to, t);
+    posture.angles.iter_mut().for_each(|angles| angles.reverse());
+    posture
+}
 
 impl Studio {
     /// The window of the exercise on bones as it looks when a student's functions are these.
@@ -78,6 +101,25 @@ impl Studio {
             picture.paste(&tile, column * TILE.0, 0);
         }
         picture
+    }
+
+    /// The window of the exercise on time warping, of a student whose part 2 takes angles for those about other axes.
+    pub(super) fn warped_by_student(&mut self) -> Canvas {
+        const SIZE: (usize, usize) = (1280, 720);
+        const FRAME: usize = 301;
+        let old = self.walk.moving_frames();
+        let warped = Arc::new(self.walk.warped(TimeMap::Whole { old, new: 2 * old }));
+        let mut subject = InProcess(Functions::TimeWarp(MIXED_UP));
+        let mut recorded = Recorded::ask(Mover::TimeWarp, &mut subject, &warped, 0..warped.frame_count());
+        recorded.standing.board = Some(Arc::new(Board::of(&mut subject, Mover::TimeWarp.package())));
+        let app = |stage| App::new(stage, "walk.amc".into(), Vec::new(), (SIZE.0 / 2, SIZE.1));
+        let mut gallery = Gallery::new(vec![app(self.walk.clone()), app(warped)]);
+        gallery.apps_mut()[0].show_standing(Some(recorded.standing.clone()));
+        gallery.go_to(1, FRAME);
+        let mut screen = Screen::new(SIZE);
+        let shown = |motion: usize| if motion == 1 { Shown::Student(&recorded) } else { Shown::Reference };
+        screen.update(&mut gallery, shown, SIZE);
+        screen.canvas().clone()
     }
 
     fn pose_of(&self, functions: AcclaimFunctions, frame: usize) -> Pose {

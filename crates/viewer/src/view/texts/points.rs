@@ -5,7 +5,8 @@ use grading::PartState;
 use super::Facts;
 use crate::scene::{Line, Panel};
 
-pub fn write(facts: &Facts, panel: &mut Panel) {
+/// `brief` leaves the hints out: they are in the terminal, too.
+pub fn write(facts: &Facts, brief: bool, panel: &mut Panel) {
     let Some(standing) = facts.standing_of_any() else { return };
     let (board, outdated) = match (&standing.board, &standing.former) {
         (Some(board), _) => (board, false),
@@ -28,7 +29,9 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
         panel.add(line, format_args!("{id}  {title}  {} of {}  {state}", row.points, row.of));
         for named in row.named.iter().filter(|_| !outdated) {
             panel.add(Line::Text, named.title);
-            panel.add(Line::Quiet, format_args!("Hint: {}", named.hint));
+            if !brief {
+                panel.add(Line::Quiet, format_args!("Hint: {}", named.hint));
+            }
         }
     }
 }
