@@ -3,7 +3,9 @@
 //! This is the only file that you edit, and the only one that you hand in. It holds three functions. The third makes a
 //! motion with another number of frames; the first two are yours to call there.
 //!
-//! `cargo test -p time-warp` shows your points and what to do next; `cargo test -p time-warp part1` checks part 1 only.
+//! - Try it: `cargo view --exercise time-warp` opens a window in which a walk stands beside what your functions make of it.
+//! - Check it: `cargo test -p time-warp` shows your points and what to do next; `cargo test -p time-warp part1` checks part 1
+//!   only.
 //!
 //! A posture holds, for every bone, three angles about its own X, Y and Z axis in degrees, and a translation. The
 //! rotation that the angles stand for is Rz Ry Rx. A quaternion is written (x, y, z, w).

@@ -6,7 +6,7 @@ use crate::{CheckRubric, PartRubric, Rubric};
 pub static RUBRIC: Rubric = Rubric {
     exercise: "time-warp",
     title: "Time warping",
-    invitation: "that was the last exercise",
+    invitation: "run `cargo view --exercise time-warp` and press `↑`",
     parts: &[
         PartRubric {
             id: "part1",
