@@ -41,6 +41,9 @@ const TURNED_ROUND: AcclaimFunctions = AcclaimFunctions {
 const MIXED_UP: TimeWarpFunctions = TimeWarpFunctions {
     blend,
     warp: |postures, new_count| {
+        if postures.is_empty() {
+            return Vec::new();
+        }
         let frame = |index| {
             let Between { before, after, t } =
                 (solutions::TIME_WARP.old_position)(index, postures.len(), new_count);
