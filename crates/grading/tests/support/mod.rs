@@ -31,7 +31,8 @@ impl Course {
 
     /// The same in another exercise.
     pub fn save_exercise(&self, exercise: &str, source: &str) {
-        let file = self.folder.join(format!("exercises/{exercise}/src/{exercise}.rs"));
+        let module = exercise.replace('-', "_");
+        let file = self.folder.join(format!("exercises/{exercise}/src/{module}.rs"));
         write(&file, source.as_bytes());
     }
 

@@ -52,12 +52,17 @@ impl Mover {
         }
     }
 
+    /// Whether its functions make all frames of the motion at once, whether one of them is wanted or all. Where one fails, all
+    /// do.
+    pub(crate) fn makes_all_at_once(self, stage: &Stage) -> bool {
+        self == Mover::TimeWarp && time_warp::is_asked_whole(stage)
+    }
+
     /// How many frames of the motion are asked about at once, where it is to be about so many `joints`.
     pub(crate) fn frames_at_once(self, stage: &Stage, joints: usize) -> usize {
-        match self {
-            // Part 3 makes the whole motion, whether one frame of it is wanted or all.
-            Mover::TimeWarp if time_warp::is_asked_whole(stage) => stage.frame_count(),
-            _ => (joints / self.frame_size(stage)).max(1),
+        match self.makes_all_at_once(stage) {
+            true => stage.frame_count(),
+            false => (joints / self.frame_size(stage)).max(1),
         }
     }
 

@@ -85,13 +85,14 @@ impl Recorded {
                 Err(failure) => failure,
             };
             costly += usize::from(!matches!(failure, Failure::Panicked { .. }));
-            if frames.len() > 1 && costly < MOST_COSTLY {
+            let all_fail = mover.makes_all_at_once(stage);
+            if frames.len() > 1 && costly < MOST_COSTLY && !all_fail {
                 frames.rev().for_each(|frame| ranges.push_front(frame..frame + 1));
                 continue;
             }
             let trouble = Arc::new(student::explain(mover, subject, stage, frames.start, &failure));
             recorded.troubles.insert(frames.start, trouble.clone());
-            if costly >= MOST_COSTLY {
+            if costly >= MOST_COSTLY || all_fail {
                 // What is left would most likely end like this too.
                 recorded.standing.status = Status::Failed(trouble);
                 break;

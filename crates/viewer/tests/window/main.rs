@@ -21,6 +21,8 @@ mod sister;
 #[path = "../../../grading/tests/support/mod.rs"]
 mod support;
 #[cfg(all(unix, not(target_os = "macos")))]
+mod time_warp;
+#[cfg(all(unix, not(target_os = "macos")))]
 mod viewer;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod warp;
@@ -41,7 +43,12 @@ fn main() {
         println!("NOT RUN: the tests of the window need Xvfb and xdotool (packages xvfb and xdotool).");
     }
     let quick = input::TESTS.iter().chain(files::TESTS).chain(warp::TESTS).map(|test| (test, false));
-    let slow = live::TESTS.iter().chain(sister::TESTS).chain(acclaim::TESTS).map(|test| (test, true));
+    let slow = live::TESTS
+        .iter()
+        .chain(sister::TESTS)
+        .chain(acclaim::TESTS)
+        .chain(time_warp::TESTS)
+        .map(|test| (test, true));
     let trials = quick.chain(slow).map(|((name, test), slow)| {
         Trial::test(*name, move || {
             test();

@@ -205,9 +205,11 @@ impl Plan {
     /// The frames have failed, all or some of them.
     pub(super) fn fail(&mut self, at: &Motion, frames: Range<usize>, failure: &Failure) {
         let costly = !matches!(failure, Failure::Panicked { .. });
-        let single = frames.len() == 1;
+        let all = self.mover.makes_all_at_once(&at.stage);
+        let single = frames.len() == 1 || all;
         let Some(motion) = self.motion(at) else { return };
         if single {
+            let frames = if all { 0..at.stage.frame_count() } else { frames };
             let failure = Arc::new(failure.clone());
             motion.pieces.set(frames, State::Bad { failure, narrowed: false });
         } else {

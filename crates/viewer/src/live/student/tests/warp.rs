@@ -109,6 +109,10 @@ fn a_panic_is_told_with_its_part() {
         let trouble = with_part(&student).unwrap();
         assert!(trouble.headline.contains("not part "), "{trouble:?}");
         assert_eq!(trouble.details, ["in frame 7", part]);
+        // All frames fail with it, and each is told when it is shown.
+        update_until(&mut student, &[0, 700], |student| {
+            super::trouble(student, 1, 700).is_some_and(|trouble| trouble.details.len() > 1)
+        });
     }
 }
 
@@ -136,4 +140,28 @@ fn parts_1_and_2_are_asked_by_themselves_when_it_is_wanted() {
     let walk = samples::walk();
     assert!(root(own).distance(root(&walk.reference(4))) < 1e-3);
     assert!(root(right).distance(root(&walk.warped(whole(960)).reference(7))) < 1e-3);
+}
+
+/// Each question about the whole motion takes as long as all its frames.
+#[test]
+fn functions_that_fail_are_not_asked_for_the_whole_motion_again_and_again() {
+    static WHOLE: AtomicUsize = AtomicUsize::new(0);
+    fn warp(_: &[Posture], _: usize) -> Vec<Posture> {
+        WHOLE.fetch_add(1, Ordering::SeqCst);
+        panic!("not part 3")
+    }
+    let functions = TimeWarpFunctions { warp, ..solutions::TIME_WARP };
+    let mut student = student(functions, whole(960));
+    for frame in [7, 400, 959] {
+        update_until(&mut student, &[0, frame], |student| trouble(student, 1, frame).is_some());
+    }
+    update_until(&mut student, &[0, 7], |student| student.standing(1, 7).board.is_some());
+    let graded = WHOLE.load(Ordering::SeqCst);
+    let mut subject = InProcess(Functions::TimeWarp(functions));
+    let recorded =
+        crate::view::answers::Recorded::ask(Mover::TimeWarp, &mut subject, &pair(whole(960))[1], 0..960);
+    assert!(matches!(recorded.standing.status, Status::Failed(_)));
+    assert!(WHOLE.load(Ordering::SeqCst) - graded < 10);
+    // The checks ask for short motions, some dozens of times at most.
+    assert!(graded < 200, "{graded}");
 }
