@@ -30,11 +30,8 @@ fn edits() {
     save(TEMPLATE);
     let display = Display::start();
     let motion = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/walk.amc");
-    let viewer = Viewer::open_in(
-        &display,
-        &course.folder,
-        &["--exercise", "time-warp", motion, "--frame", "301", "--joint", "lhumerus"],
-    );
+    let viewer =
+        Viewer::open_in(&display, &course.folder, &["--exercise", "time-warp", motion, "--frame", "301"]);
     viewer.wait_for_words("Time warping: 0 of 15 points");
     let off = |picture: &Picture| picture.count(color_of(Tint::Off(Off::Much)).channels());
     let template = display.picture();
