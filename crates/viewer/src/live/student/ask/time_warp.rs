@@ -20,10 +20,11 @@ const MOST_BONES: usize = 1_000_000;
 /// Part 1 is asked about so many frames, evenly spread: enough for a curve.
 pub(crate) const MOST_PLACES: usize = 1_000;
 
-/// Whether part 3 makes the warped motion on `stage`. Otherwise, in a stretch between keyframes and where there are too many
-/// frames, the places of frames are right ones, and part 2 blends what is there.
+/// Whether part 3 makes the warped motion on `stage`, which has bones. Otherwise, in a stretch between keyframes and where
+/// there are too many frames, the places of frames are right ones, and part 2 blends what is there.
 pub(crate) fn is_asked_whole(stage: &Stage) -> bool {
-    let bones = stage.bones().map_or(0, |bones| bones.motion().skeleton().len());
+    let Some(bones) = stage.bones() else { return false };
+    let bones = bones.motion().skeleton().len();
     let fits = |count: usize| count.saturating_mul(bones) <= MOST_BONES;
     matches!(stage.warp(), Some(TimeMap::Whole { old, new }) if fits(old) && fits(new))
 }
