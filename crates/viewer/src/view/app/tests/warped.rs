@@ -10,6 +10,10 @@ const RIGHT: TimeWarpFunctions = solutions::TIME_WARP;
 
 /// What is said of the upper arm in frame `frame` of the walk, warped by `map`.
 fn said(functions: TimeWarpFunctions, map: TimeMap, frame: usize) -> String {
+    words(&scene(functions, map, frame))
+}
+
+fn scene(functions: TimeWarpFunctions, map: TimeMap, frame: usize) -> Scene {
     let mut app = App::new(Arc::new(samples::walk().warped(map)), "walk.amc".into(), Vec::new(), SIZE);
     app.go_to(frame);
     let joints = app.stage.motion().skeleton().joints();
@@ -18,7 +22,7 @@ fn said(functions: TimeWarpFunctions, map: TimeMap, frame: usize) -> String {
     let all = 0..app.stage.frame_count().min(2000);
     let mut recorded = Recorded::ask(Mover::TimeWarp, &mut subject, &app.stage, all);
     recorded.ask_details(&mut subject, &app.stage, frame);
-    words(&app.scene(Shown::Student(&recorded), SIZE))
+    app.scene(Shown::Student(&recorded), SIZE)
 }
 
 /// Three frames late.
@@ -41,6 +45,17 @@ fn a_late_part_1_is_to_blame_in_every_frame_of_a_long_motion() {
         let said = said(functions, TimeMap::Whole { old: 480, new: 1200 }, frame);
         assert!(said.contains("part 1 is to blame"), "{frame}: {said}");
         assert!(!said.contains("part 3 is to blame"), "{frame}: {said}");
+    }
+}
+
+#[test]
+fn the_mark_stays_on_the_curve_of_part_1_in_every_frame_of_a_long_motion() {
+    let functions = TimeWarpFunctions { old_position: late, warp: warp_late, ..RIGHT };
+    for frame in [600, 601, 602] {
+        let scene = scene(functions, TimeMap::Whole { old: 480, new: 1200 }, frame);
+        let (_, height) = scene.plot.unwrap().mark.unwrap();
+        let own = (frame - 3) as f32 * 0.4 / 479.0;
+        assert!((height - own).abs() < 1e-3, "{frame}: {height} instead of {own}");
     }
 }
 
