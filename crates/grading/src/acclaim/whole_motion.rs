@@ -75,14 +75,17 @@ impl RightPlaces {
         let (frame, first) = self.first_off(expected, got)?;
         let bone = self.skeleton.get(first)?;
         let right = expected[frame][first.0].unwrap_or(BonePlace::ORIGIN);
-        let how = got[frame][first.0].map(|place| {
-            let (start, end) = (right.start.distance(place.start), right.end.distance(place.end));
-            if self.is_off(end) {
-                format!("its end is {}", distance(end))
-            } else {
-                format!("its start is {}, and its end in its place", distance(start))
+        let how = match got[frame][first.0] {
+            None => "it is not visited".to_owned(),
+            Some(place) => {
+                let (start, end) = (right.start.distance(place.start), right.end.distance(place.end));
+                if self.is_off(end) {
+                    format!("its end is {}", distance(end))
+                } else {
+                    format!("its start is {}, and its end in its place", distance(start))
+                }
             }
-        });
+        };
         let is_off = |frame: usize, id: BoneId| self.is_bone_off(&expected[frame][id.0], &got[frame][id.0]);
         let others = self.skeleton.bones().iter().filter(|other| is_off(frame, other.id)).count();
         let mut details = vec![match bone.parent {
@@ -99,8 +102,7 @@ impl RightPlaces {
         });
         let summary = format!(
             "With your three functions together, the first bone that is off is {} in frame {frame}: {how}.",
-            bone.name,
-            how = how.unwrap_or("it is not visited".to_owned()),
+            bone.name
         );
         Some(Trouble::Different { summary, details })
     }

@@ -122,7 +122,7 @@ impl Studio {
 
     fn record(&self, mover: Mover, worker: &mut WorkerProcess, motion: usize) -> Recorded {
         let app = &self.gallery.apps()[motion];
-        let mut recorded = if mover.makes_all_at_once(app.stage()) {
+        let mut recorded = if mover.is_asked_whole(app.stage()) {
             // Whoever makes all frames at once is asked for all.
             Recorded::ask(mover, worker, app.stage(), 0..app.stage().frame_count())
         } else {

@@ -43,6 +43,11 @@ impl Mover {
         }
     }
 
+    /// Whether one answer holds all frames of the motion on `stage`, whichever of them is asked about. Where one fails, all do.
+    pub(crate) fn is_asked_whole(self, stage: &Stage) -> bool {
+        self == Mover::TimeWarp && time_warp::is_asked_whole(stage)
+    }
+
     /// The parts, from 0, that put things in their places. Before all of these are begun nothing can be where it belongs.
     pub fn placing_parts(self) -> &'static [usize] {
         match self {
@@ -52,15 +57,9 @@ impl Mover {
         }
     }
 
-    /// Whether its functions make all frames of the motion at once, whether one of them is wanted or all. Where one fails, all
-    /// do.
-    pub(crate) fn makes_all_at_once(self, stage: &Stage) -> bool {
-        self == Mover::TimeWarp && time_warp::is_asked_whole(stage)
-    }
-
     /// How many frames of the motion are asked about at once, where it is to be about so many `joints`.
     pub(crate) fn frames_at_once(self, stage: &Stage, joints: usize) -> usize {
-        match self.makes_all_at_once(stage) {
+        match self.is_asked_whole(stage) {
             true => stage.frame_count(),
             false => (joints / self.frame_size(stage)).max(1),
         }

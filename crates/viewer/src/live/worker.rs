@@ -267,9 +267,10 @@ mod tests {
 
     #[test]
     fn every_exercise_is_built_by_its_name_and_told_with_its_file() {
-        for exercise in [Package::Interpolation, Package::Keyframes, Package::Acclaim] {
+        for exercise in [Package::Interpolation, Package::Keyframes, Package::Acclaim, Package::TimeWarp] {
             let students = "pub fn wrong() -> u8 { 'c' }\n";
-            let folder = package_of(exercise, &format!("mod {};\nfn main() {{}}\n", exercise.name()));
+            let module = exercise.file().replace(".rs", "");
+            let folder = package_of(exercise, &format!("mod {module};\nfn main() {{}}\n"));
             let compile =
                 || compile_into(&folder.path().join("target"), exercise, folder.path(), &Version::default());
             let file = exercise.file();

@@ -115,7 +115,8 @@ impl TimeMap {
         let mut corners = vec![0];
         match *self {
             TimeMap::Whole { old, new } => corners.push(held_from(old, new)),
-            TimeMap::Stretch { first, new, .. } => corners.extend([first, first.saturating_add(new)]),
+            // Where it leaps, the next frame is behind the stretch.
+            TimeMap::Stretch { first, new, .. } => corners.extend([first, first.saturating_add(new.max(1))]),
         }
         corners.push(end);
         corners.retain(|corner| *corner <= end);
@@ -168,6 +169,7 @@ mod tests {
         let places: Vec<f64> = (0..map.frame_count()).map(|index| position(&map, index)).collect();
         // The keyframe at which it begins is also that at which it ends.
         assert_eq!(places, [0.0, 1.0, 2.0, 3.0, 7.0, 8.0, 9.0]);
+        assert_eq!(map.corners(), [(0, 0.0), (3, 3.0), (4, 7.0), (6, 9.0)]);
     }
 
     #[test]

@@ -64,8 +64,9 @@ impl Recorded {
         }
     }
 
-    /// Asks a subject, the functions of the exercise `mover`, about these frames of the motion on `stage`, in any order, here and now. A frame that fails is told
-    /// with what is wrong with it, and the others are asked all the same, until too many have failed.
+    /// Asks a subject, the functions of the exercise `mover`, about these frames of the motion on `stage`, in any order, here
+    /// and now. A frame that fails is told with what is wrong with it, and the others are asked all the same, until too many
+    /// have failed.
     pub fn ask(
         mover: Mover,
         subject: &mut impl Subject,
@@ -85,7 +86,7 @@ impl Recorded {
                 Err(failure) => failure,
             };
             costly += usize::from(!matches!(failure, Failure::Panicked { .. }));
-            let all_fail = mover.makes_all_at_once(stage);
+            let all_fail = mover.is_asked_whole(stage);
             if frames.len() > 1 && costly < MOST_COSTLY && !all_fail {
                 frames.rev().for_each(|frame| ranges.push_front(frame..frame + 1));
                 continue;
@@ -108,8 +109,8 @@ impl Recorded {
         }
     }
 
-    /// The answers of the functions of forward kinematics to these frames of the motion on `stage`, given here and now. A panic of theirs goes
-    /// through.
+    /// The answers of the functions of forward kinematics to these frames of the motion on `stage`, given here and now. A
+    /// panic of theirs goes through.
     pub fn of(functions: &FkFunctions, stage: &Stage, frames: impl IntoIterator<Item = usize>) -> Recorded {
         let mut recorded = Recorded::new(Mover::Fk, Status::Answered);
         let skeleton = stage.motion().skeleton();

@@ -27,7 +27,7 @@ impl Held {
     /// Keeps what `version` answered for the frames from `first` on.
     pub(super) fn insert(&mut self, version: u64, first: usize, frames: Vec<Posed>) {
         for (frame, posed) in (first..).zip(frames) {
-            let batch = frame / self.window.batch_size();
+            let batch = self.window.batch_of(frame);
             let all = self.window.frames(batch);
             let kept = self.batches.entry(batch).or_insert_with(|| vec![None; all.len()]);
             if let Some(place) = kept.get_mut(frame - all.start) {
@@ -42,7 +42,7 @@ impl Held {
 
     /// The pose of `frame`, and the version that answered it.
     pub(super) fn pose(&self, frame: usize) -> Option<(u64, &Posed)> {
-        let kept = self.batches.get(&(frame / self.window.batch_size()))?;
+        let kept = self.batches.get(&self.window.batch_of(frame))?;
         let (version, posed) = kept.get(frame % self.window.batch_size())?.as_ref()?;
         Some((*version, posed))
     }

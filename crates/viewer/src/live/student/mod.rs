@@ -88,8 +88,8 @@ pub struct Student {
     held: Vec<Held>,
     /// Nothing stands for a frame of which they could not be had.
     details: BTreeMap<(usize, usize), Option<Details>>,
-    /// The motion and the frame whose details were asked for last.
-    asked: Option<(usize, usize)>,
+    /// For every motion the frame whose details were asked for last.
+    asked: Vec<Option<usize>>,
     /// The version that all this is about.
     number: u64,
     ready: bool,
@@ -113,6 +113,7 @@ impl Student {
     ) -> Student {
         let plan = Plan::new(mover, stages, most_batches);
         let held = plan.motions.iter().map(|motion| Held::new(motion.window)).collect();
+        let asked = vec![None; plan.motions.len()];
         let desk = Desk::new(plan);
         let (sender, events) = mpsc::channel();
         let (open, tell) = (Arc::new(Mutex::new(open)), Arc::new(Mutex::new(tell)));
@@ -134,7 +135,7 @@ impl Student {
             desk,
             held,
             details: BTreeMap::new(),
-            asked: None,
+            asked,
             number: 0,
             ready: false,
             failed: None,
@@ -170,7 +171,7 @@ impl Student {
         self.details.clear();
         (self.ready, self.failed, self.given_up, self.grading) = (false, None, None, false);
         self.former = self.board.take().or(self.former.take());
-        self.asked = None;
+        self.asked.fill(None);
         if let Some(error) = self.rebuilder.take_trouble() {
             let headline = "your functions cannot be asked".into();
             self.failed = Some(Arc::new(Trouble { headline, details: vec![error.to_string()] }));
@@ -189,7 +190,7 @@ impl Student {
         self.held[motion] = Held::new(old.window);
         drop(plan);
         self.details.retain(|(of, _), _| *of != motion);
-        self.asked = None;
+        self.asked[motion] = None;
         self.desk.wake();
     }
 
@@ -242,7 +243,8 @@ impl Student {
             Event::Trouble(at, frame, trouble) => self.held[at.index].insert_trouble(frame, trouble),
             Event::Details(at, frame, details) => {
                 if self.details.len() >= MOST_DETAILS {
-                    self.details.clear();
+                    // Those that were asked for last are not asked for again.
+                    self.details.retain(|(motion, frame), _| self.asked[*motion] == Some(*frame));
                 }
                 self.details.insert((at.index, frame), details);
             }
@@ -281,13 +283,13 @@ impl Student {
     }
 
     /// What single parts give for the frame. Nothing until they have been asked, which begins now, or when they give no
-    /// answer.
+    /// answer, or have nothing to do with the motion.
     pub fn details(&mut self, motion: usize, frame: usize) -> Option<&Details> {
         let held = self.held.get(motion)?;
         let place = (motion, frame);
         let unknown = held.trouble(frame).is_none() && !self.details.contains_key(&place);
-        if unknown && self.asked.replace(place) != Some(place) {
-            self.desk.plan().details = Some(place);
+        if unknown && self.asked[motion].replace(frame) != Some(frame) {
+            self.desk.plan().motions[motion].want_details(frame);
             self.desk.wake();
         }
         self.known_details(motion, frame)

@@ -23,7 +23,7 @@ pub(super) enum State {
     },
 }
 
-/// All frames of a motion in pieces, by their first frame.
+/// Frames of a motion in pieces, by their first frame.
 #[derive(Default)]
 pub(super) struct Pieces(BTreeMap<usize, (usize, State)>);
 
@@ -32,11 +32,10 @@ impl Pieces {
         self.0.clear();
     }
 
-    /// Makes `frames`, which are whole pieces or none, one fresh piece.
-    pub(super) fn reset(&mut self, frames: Range<usize>) {
-        let old: Vec<usize> = self.0.range(frames.clone()).map(|(first, _)| *first).collect();
-        old.iter().for_each(|first| drop(self.0.remove(first)));
-        self.0.insert(frames.start, (frames.end, State::Fresh));
+    /// Takes out `frames`, which are whole pieces or none.
+    pub(super) fn forget(&mut self, frames: Range<usize>) {
+        let inside: Vec<usize> = self.0.range(frames).map(|(first, _)| *first).collect();
+        inside.iter().for_each(|first| drop(self.0.remove(first)));
     }
 
     /// The piece in which `frame` is.
@@ -57,8 +56,7 @@ impl Pieces {
     pub(super) fn set(&mut self, frames: Range<usize>, state: State) {
         self.cut(frames.start);
         self.cut(frames.end);
-        let inside: Vec<usize> = self.0.range(frames.clone()).map(|(first, _)| *first).collect();
-        inside.iter().for_each(|first| drop(self.0.remove(first)));
+        self.forget(frames.clone());
         if !frames.is_empty() {
             self.0.insert(frames.start, (frames.end, state));
         }
@@ -84,8 +82,8 @@ mod tests {
     #[test]
     fn pieces_are_cut_where_it_is_said_and_never_lose_a_frame() {
         let mut pieces = Pieces::default();
-        pieces.reset(0..10);
-        pieces.reset(10..20);
+        pieces.set(0..10, State::Fresh);
+        pieces.set(10..20, State::Fresh);
         pieces.set(3..4, State::Settled);
         assert_eq!(pieces.at(2), Some((0..3, &State::Fresh)));
         assert_eq!(pieces.at(3), Some((3..4, &State::Settled)));
@@ -98,7 +96,8 @@ mod tests {
         pieces.set(4..10, State::Settled);
         assert_eq!(pieces.unsettled_in(0..10), None);
         assert_eq!(pieces.unsettled_in(10..20), Some(10..20));
-        pieces.reset(0..10);
-        assert_eq!(pieces.at(3), Some((0..10, &State::Fresh)));
+        pieces.forget(0..10);
+        assert_eq!(pieces.at(3), None);
+        assert_eq!(pieces.at(10), Some((10..20, &State::Fresh)));
     }
 }

@@ -32,8 +32,6 @@ pub(super) struct Plan {
     pub(super) version: u64,
     pub(super) motions: Vec<MotionPlan>,
     pub(super) graded: bool,
-    /// Motion and frame of which details are wanted.
-    pub(super) details: Option<(usize, usize)>,
     panics: usize,
     costly: usize,
     costly_frames: usize,
@@ -46,13 +44,20 @@ pub(super) struct MotionPlan {
     pub(super) reading: u64,
     pub(super) shown: usize,
     pub(super) window: Window,
+    /// The frame of which details are wanted.
+    pub(super) details: Option<usize>,
+    /// A batch of which nothing is here is fresh: there may be very many of them.
     pieces: Pieces,
     /// Whether the functions have anything to do with this motion.
-    asked: bool,
+    moved: bool,
+    /// Whether they make all of it at once: what is said of one frame is said of all.
+    whole: bool,
     /// Some frame was answered: the functions do come back.
     warm: bool,
     /// The frame that was asked last while it was on show.
     heard: Option<usize>,
+    /// A frame has failed, and none was answered since.
+    failed: bool,
 }
 
 /// One thing to ask.
@@ -86,7 +91,6 @@ impl Plan {
             version: 0,
             motions: stages.into_iter().map(motion).collect(),
             graded: false,
-            details: None,
             panics: 0,
             costly: 0,
             costly_frames: 0,
@@ -96,7 +100,7 @@ impl Plan {
     /// Begins anew for the next version.
     pub(super) fn begin(&mut self) {
         self.version += 1;
-        (self.graded, self.details) = (false, None);
+        self.graded = false;
         (self.panics, self.costly, self.costly_frames) = (0, 0, 0);
         self.motions.iter_mut().for_each(MotionPlan::begin);
     }
@@ -105,8 +109,8 @@ impl Plan {
     /// time for what they print.
     pub(super) fn next(&self, talkative: bool) -> Option<Task> {
         self.urgent(talkative).or_else(|| {
-            if let Some((index, frame)) = self.details.filter(|_| !self.has_given_up()) {
-                return self.at(index).map(|at| Task::Details { at, frame });
+            if let Some(details) = self.details() {
+                return Some(details);
             }
             if !self.graded {
                 return Some(Task::Grade);
@@ -125,12 +129,18 @@ impl Plan {
         on_show.or_else(|| self.ahead(AHEAD))
     }
 
+    fn details(&self) -> Option<Task> {
+        let mut motions = self.motions.iter().enumerate().filter(|_| !self.has_given_up());
+        let (index, frame) = motions.find_map(|(index, motion)| Some((index, motion.details?)))?;
+        Some(Task::Details { at: self.at(index)?, frame })
+    }
+
     fn on_show(&self, index: usize, talkative: bool) -> Option<Task> {
         let motion = &self.motions[index];
         let at = self.at(index)?;
-        let (frames, state) = motion.pieces.at(motion.shown)?;
+        let (frames, state) = motion.piece(motion.shown)?;
         let single = Task::Frames { at: at.clone(), frames: motion.shown..motion.shown + 1, on_show: true };
-        let is_unheard = talkative && motion.heard != Some(motion.shown);
+        let is_unheard = talkative && !motion.is_heard(motion.shown);
         match state {
             State::Settled if is_unheard => Some(single),
             State::Bad { failure, .. } if is_unheard && matches!(**failure, Failure::Panicked { .. }) => {
@@ -155,8 +165,7 @@ impl Plan {
         (0..batches).find_map(|rank| {
             (0..self.motions.len()).find_map(|index| {
                 let motion = &self.motions[index];
-                let batch = motion.window.batch(motion.shown, rank)?;
-                let frames = motion.pieces.unsettled_in(motion.window.frames(batch))?;
+                let frames = motion.unsettled(motion.window.batch(motion.shown, rank)?)?;
                 Some(Task::Frames { at: self.at(index)?, frames, on_show: false })
             })
         })
@@ -197,25 +206,24 @@ impl Plan {
     /// The frames are answered.
     pub(super) fn settle(&mut self, at: &Motion, frames: Range<usize>) {
         if let Some(motion) = self.motion(at) {
-            motion.warm = true;
-            motion.pieces.set(frames, State::Settled);
+            (motion.warm, motion.failed) = (true, false);
+            motion.set(frames, State::Settled);
         }
     }
 
     /// The frames have failed, all or some of them.
     pub(super) fn fail(&mut self, at: &Motion, frames: Range<usize>, failure: &Failure) {
         let costly = !matches!(failure, Failure::Panicked { .. });
-        let all = self.mover.makes_all_at_once(&at.stage);
-        let single = frames.len() == 1 || all;
+        let single = frames.len() == 1;
         let Some(motion) = self.motion(at) else { return };
+        motion.failed = true;
         if single {
-            let frames = if all { 0..at.stage.frame_count() } else { frames };
             let failure = Arc::new(failure.clone());
-            motion.pieces.set(frames, State::Bad { failure, narrowed: false });
+            motion.set(frames, State::Bad { failure, narrowed: false });
         } else {
             let middle = frames.start.midpoint(frames.end);
-            motion.pieces.set(frames.start..middle, State::Suspect);
-            motion.pieces.set(middle..frames.end, State::Suspect);
+            motion.set(frames.start..middle, State::Suspect);
+            motion.set(middle..frames.end, State::Suspect);
         }
         self.costly += usize::from(costly);
         self.costly_frames += usize::from(costly && single);
@@ -232,7 +240,7 @@ impl Plan {
     /// It was looked for the place at which the frame fails.
     pub(super) fn narrowed(&mut self, at: &Motion, frame: usize, failure: Arc<Failure>) {
         if let Some(motion) = self.motion(at) {
-            motion.pieces.set(frame..frame + 1, State::Bad { failure, narrowed: true });
+            motion.set(frame..frame + 1, State::Bad { failure, narrowed: true });
         }
     }
 
@@ -247,30 +255,63 @@ impl MotionPlan {
     pub(super) fn new(mover: Mover, stage: Arc<Stage>, reading: u64, most_batches: usize) -> MotionPlan {
         let batch_size = mover.frames_at_once(&stage, JOINTS_PER_BATCH);
         let window = Window::new(stage.frame_count(), batch_size, most_batches);
-        let mut motion = MotionPlan {
-            asked: mover.moves(&stage),
+        MotionPlan {
+            moved: mover.moves(&stage),
+            whole: mover.is_asked_whole(&stage),
             stage,
             reading,
             shown: 0,
             window,
+            details: None,
             pieces: Pieces::default(),
             warm: false,
             heard: None,
-        };
-        motion.begin();
-        motion
-    }
-
-    fn begin(&mut self) {
-        (self.warm, self.heard) = (false, None);
-        self.pieces.clear();
-        if self.asked {
-            (0..self.window.count()).for_each(|batch| self.forget(batch));
+            failed: false,
         }
     }
 
-    /// The batch is to be asked, again or for the first time.
+    fn begin(&mut self) {
+        (self.warm, self.heard, self.failed, self.details) = (false, None, false, None);
+        self.pieces.clear();
+    }
+
+    /// Wants details of `frame`.
+    pub(super) fn want_details(&mut self, frame: usize) {
+        self.details = Some(frame).filter(|_| self.moved);
+    }
+
+    /// The batch is to be asked again.
     pub(super) fn forget(&mut self, batch: usize) {
-        self.pieces.reset(self.window.frames(batch));
+        self.pieces.forget(self.window.frames(batch));
+    }
+
+    /// The frames around `frame` that are as far as it is; nothing where there is nothing to ask.
+    fn piece(&self, frame: usize) -> Option<(Range<usize>, &State)> {
+        let fresh = || (self.window.frames(self.window.batch_of(frame)), &State::Fresh);
+        self.moved.then(|| self.pieces.at(frame).unwrap_or_else(fresh))
+    }
+
+    /// The first frames of a batch that are still to be asked. Where all fail alike, each is asked when it is shown.
+    fn unsettled(&self, batch: usize) -> Option<Range<usize>> {
+        let frames = self.window.frames(batch);
+        match () {
+            () if !self.moved || (self.whole && self.failed) => None,
+            () if self.pieces.at(frames.start).is_none() => Some(frames),
+            () => self.pieces.unsettled_in(frames),
+        }
+    }
+
+    /// Says how far `frames`, which are of one batch, are.
+    fn set(&mut self, frames: Range<usize>, state: State) {
+        let batch = self.window.frames(self.window.batch_of(frames.start));
+        if self.pieces.at(batch.start).is_none() {
+            self.pieces.set(batch, State::Fresh);
+        }
+        self.pieces.set(frames, state);
+    }
+
+    /// Whether what is printed about `frame` has been heard.
+    fn is_heard(&self, frame: usize) -> bool {
+        self.heard.is_some_and(|heard| self.whole || heard == frame)
     }
 }

@@ -46,7 +46,9 @@ pub enum Details {
     Blended {
         /// Of the right ones.
         right: Pose,
-        /// Of those that part 1 names; nothing where they are not there.
+        /// Where part 1 says the frame is, where it is asked and answers.
+        place: Option<Between>,
+        /// Of those that part 1 names; nothing where it names none that are there.
         own: Option<Pose>,
     },
 }

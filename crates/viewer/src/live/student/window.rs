@@ -32,6 +32,11 @@ impl Window {
         self.batch_size
     }
 
+    /// The batch in which `frame` is.
+    pub(super) fn batch_of(&self, frame: usize) -> usize {
+        frame / self.batch_size
+    }
+
     /// The frames of a batch.
     pub(super) fn frames(&self, batch: usize) -> Range<usize> {
         let first = batch * self.batch_size;
@@ -46,13 +51,13 @@ impl Window {
         }
         let ahead = len - len / 8;
         let step = if rank < ahead { rank } else { count - 1 - (rank - ahead) };
-        Some((frame / self.batch_size + step) % count)
+        Some((self.batch_of(frame) + step) % count)
     }
 
     /// Whether a batch is kept while `frame` is shown.
     pub(super) fn holds(&self, frame: usize, batch: usize) -> bool {
         let (len, count) = (self.len(), self.count());
-        let step = (batch + count - frame / self.batch_size % count) % count;
+        let step = (batch + count - self.batch_of(frame) % count) % count;
         step < len - len / 8 || count - step <= len / 8
     }
 }

@@ -80,8 +80,8 @@ impl Desk {
         let mut plan = self.plan();
         while plan.version == number && !version.is_abandoned() {
             if let Some(task) = plan.next(version.is_talkative()) {
-                match task {
-                    Task::Details { .. } => plan.details = None,
+                match &task {
+                    Task::Details { at, .. } => plan.motions[at.index].details = None,
                     Task::Grade => plan.graded = true,
                     Task::Frames { .. } | Task::Place { .. } => {}
                 }
@@ -131,6 +131,7 @@ impl Work {
                 if let Err(failure) = &details {
                     self.check(failure)?;
                     self.desk.plan().count(failure);
+                    self.tell_of_giving_up(failure.clone().into());
                 }
                 self.send(Event::Details(at, frame, details.ok()));
             }
@@ -215,12 +216,16 @@ impl Work {
     fn show(&mut self, at: Motion, frame: usize, failure: &Failure, place: Place) -> Arc<Trouble> {
         let trouble = Arc::new(narrow::trouble(self.mover, frame, failure, place));
         self.send(Event::Trouble(at, frame, Arc::clone(&trouble)));
-        if self.desk.plan().has_given_up() {
-            let headline = trouble.headline.clone();
-            let details = vec!["other frames end like this too, so this one was not asked".into()];
-            self.send(Event::GivenUp(Arc::new(Trouble { headline, details })));
-        }
+        self.tell_of_giving_up(Trouble::clone(&trouble));
         trouble
+    }
+
+    /// Says why no more frames are asked, if none are. `last` is what has happened last.
+    fn tell_of_giving_up(&self, last: Trouble) {
+        if self.desk.plan().has_given_up() {
+            let details = vec!["other frames end like this too, so this one was not asked".into()];
+            self.send(Event::GivenUp(Arc::new(Trouble { details, ..last })));
+        }
     }
 
     fn send(&self, event: Event) {

@@ -84,7 +84,8 @@ impl App {
             }
             _ => None,
         };
-        let points = (0..map.frame_count()).step_by(map.frame_count().div_ceil(MOST_PLACES)).filter_map(at);
+        let step = map.frame_count().div_ceil(MOST_PLACES).max(1);
+        let points = (0..map.frame_count()).step_by(step).filter_map(at);
         // What is behind the original's end has no place in the plot.
         let mut points = points.take_while(|(_, old)| *old <= 1.0).peekable();
         if points.peek().is_none() {
@@ -99,7 +100,8 @@ impl App {
         curve.stroke = Stroke::Solid;
         curve.points.clear();
         curve.points.extend(points);
-        if let Some(now) = at(self.frame()) {
+        // Of a long motion not all places are asked for: the one before is less than a pixel away.
+        if let Some(now) = at(self.frame() - self.frame() % step) {
             plot.mark = Some(now);
         }
     }

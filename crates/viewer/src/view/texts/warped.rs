@@ -91,17 +91,18 @@ fn verdict(facts: &Facts, joint: JointId, panel: &mut Panel) {
         let line = if facts.is_begun(2) { Line::Trouble } else { Line::Quiet };
         return panel.add(line, "part 3 gives no such frame");
     }
+    let (said, blended) = match facts.details() {
+        Some(Details::Blended { right, place, own }) => (*place, Some((right, own.as_ref()))),
+        _ => (None, None),
+    };
     let case = Case {
         skeleton: stage.motion().skeleton(),
         given: pose,
         expected: facts.reference,
-        // Where only part 2 is at work, places are right.
-        place: place.unwrap_or(map.place(frame)),
+        // Of a long motion part 1 is asked about some frames only. Where only part 2 is at work, places are right.
+        place: place.or(said).unwrap_or(map.place(frame)),
         right_place: map.place(frame),
-        blended: match facts.details() {
-            Some(Details::Blended { right, own }) => Some((right, own.as_ref())),
-            _ => None,
-        },
+        blended,
         size: stage.size(),
     };
     match blame(&case, joint) {

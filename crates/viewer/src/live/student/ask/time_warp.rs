@@ -20,10 +20,11 @@ const MOST_BONES: usize = 1_000_000;
 /// Part 1 is asked about so many frames, evenly spread: enough for a curve.
 pub(crate) const MOST_PLACES: usize = 1_000;
 
-/// Whether part 3 makes the warped motion on `stage`. Otherwise, in a stretch between keyframes and where there are too many
-/// frames, the places of frames are right ones, and part 2 blends what is there.
+/// Whether part 3 makes the warped motion on `stage`, which has bones. Otherwise, in a stretch between keyframes and where
+/// there are too many frames, the places of frames are right ones, and part 2 blends what is there.
 pub(crate) fn is_asked_whole(stage: &Stage) -> bool {
-    let bones = stage.bones().map_or(0, |bones| bones.motion().skeleton().len());
+    let Some(bones) = stage.bones() else { return false };
+    let bones = bones.motion().skeleton().len();
     let fits = |count: usize| count.saturating_mul(bones) <= MOST_BONES;
     matches!(stage.warp(), Some(TimeMap::Whole { old, new }) if fits(old) && fits(new))
 }
@@ -102,7 +103,8 @@ fn blend(bones: &Bones, Between { before, after, t }: Between) -> Question {
     Question::TimeWarp(WarpQuestion::Blend { from, to, t })
 }
 
-/// Asks part 2 what is in frame `frame`: at its right place, and at that which part 1 says.
+/// Asks part 2 what is in frame `frame`: at its right place, and at that which part 1 says, where that is
+/// [at work](is_asked_whole).
 pub(in crate::live::student) fn details(
     subject: &mut impl Subject,
     stage: &Stage,
@@ -110,13 +112,16 @@ pub(in crate::live::student) fn details(
     limit: Duration,
 ) -> Result<Details, Failure> {
     let (Some(bones), Some(map)) = (stage.bones(), stage.warp()) else { return Err(unfit()) };
-    let own = places(subject, &map, frame..frame + 1).pop().flatten();
+    let place = match is_asked_whole(stage) {
+        true => places(subject, &map, frame..frame + 1).pop().flatten(),
+        false => None,
+    };
     let is_there = |place: &Between| place.before.max(place.after) < map.old_count();
-    let places: Vec<Between> = [map.place(frame)].into_iter().chain(own.filter(is_there)).collect();
+    let places: Vec<Between> = [map.place(frame)].into_iter().chain(place.filter(is_there)).collect();
     let postures = blends(subject, bones, &places, limit)?;
     let mut poses = postures.iter().map(|posture| pose(bones, posture));
     let right = poses.next().ok_or_else(unfit)?;
-    Ok(Details::Blended { right, own: poses.next() })
+    Ok(Details::Blended { right, place, own: poses.next() })
 }
 
 fn posed(bones: &Bones, posture: Option<&Posture>, extra: Extra) -> Posed {

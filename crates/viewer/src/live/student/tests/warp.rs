@@ -135,7 +135,7 @@ fn parts_1_and_2_are_asked_by_themselves_when_it_is_wanted() {
     update_until(&mut student, &[0, 7], is_current(1, 7));
     assert_eq!(student.details(1, 7), None);
     update_until(&mut student, &[0, 7], |student| student.known_details(1, 7).is_some());
-    let Some(Details::Blended { right, own: Some(own) }) = student.details(1, 7) else { panic!() };
+    let Some(Details::Blended { right, own: Some(own), .. }) = student.details(1, 7) else { panic!() };
     let root = |pose: &Pose| pose.transforms()[0].position;
     let walk = samples::walk();
     assert!(root(own).distance(root(&walk.reference(4))) < 1e-3);
@@ -164,4 +164,107 @@ fn functions_that_fail_are_not_asked_for_the_whole_motion_again_and_again() {
     assert!(WHOLE.load(Ordering::SeqCst) - graded < 10);
     // The checks ask for short motions, some dozens of times at most.
     assert!(graded < 200, "{graded}");
+}
+
+#[test]
+fn a_bone_of_the_original_is_not_asked_about() {
+    let mut student = student(solutions::TIME_WARP, whole(960));
+    for frame in 0..20 {
+        let start = Instant::now();
+        while student.known_details(1, frame).is_none() {
+            assert!(start.elapsed() < Duration::from_secs(20), "{frame}: {:?}", student.standing(1, frame));
+            // Whoever looks at a bone looks at it in both.
+            student.details(0, frame);
+            student.details(1, frame);
+            student.update(&[frame, frame]);
+            thread::yield_now();
+        }
+    }
+    assert!(!student.desk.plan().is_wary());
+}
+
+#[test]
+fn part_1_is_asked_by_itself_where_part_3_makes_the_motion() {
+    let stretch = TimeMap::stretch(480, (100, 160), 200).unwrap();
+    for (map, is_asked) in [(whole(1200), true), (stretch, false), (whole(1_000_000), false)] {
+        let mut student = student(solutions::TIME_WARP, map);
+        update_until(&mut student, &[0, 151], is_current(1, 151));
+        student.details(1, 151);
+        update_until(&mut student, &[0, 151], |student| student.known_details(1, 151).is_some());
+        let Some(Details::Blended { own, .. }) = student.details(1, 151) else { panic!() };
+        assert_eq!(own.is_some(), is_asked, "{map:?}");
+    }
+}
+
+/// The plan of a pair after frame 7 of the warped motion was asked while it was on show, and the task that this was.
+fn plan_at_7() -> (Plan, plan::Motion) {
+    let mut plan = Plan::new(Mover::TimeWarp, pair(whole(960)), most_batches);
+    plan.motions[1].shown = 7;
+    let Some(plan::Task::Frames { at, frames, on_show: true }) = plan.next(false) else { panic!() };
+    assert_eq!((at.index, frames), (1, 7..8));
+    plan.hear(&at, 7);
+    plan.graded = true;
+    (plan, at)
+}
+
+#[test]
+fn a_motion_that_is_made_at_once_is_heard_once() {
+    let (mut plan, at) = plan_at_7();
+    plan.settle(&at, 0..960);
+    plan.motions[1].shown = 8;
+    assert!(plan.next(true).is_none());
+}
+
+#[test]
+fn a_motion_that_is_made_at_once_does_not_fail_again_for_every_frame() {
+    let (mut plan, at) = plan_at_7();
+    let failure = Failure::Panicked { message: "no".into(), location: None };
+    plan.fail(&at, 7..8, &failure);
+    plan.narrowed(&at, 7, Arc::new(failure));
+    assert!(plan.next(true).is_none());
+    plan.motions[1].shown = 8;
+    assert!(matches!(plan.next(true), Some(plan::Task::Frames { frames, .. }) if frames == (8..9)));
+    // It comes back after all.
+    plan.settle(&at, 8..9);
+    assert!(matches!(plan.next(true), Some(plan::Task::Frames { frames, .. }) if frames == (0..7)));
+}
+
+#[test]
+fn a_bone_of_several_motions_is_asked_about_in_all_of_them_and_once() {
+    let pairs = [pair(whole(960)), pair(whole(240))].concat();
+    let open = |_: &Version| Ok(InProcess(Functions::TimeWarp(solutions::TIME_WARP)));
+    let mut student = Student::start(Mover::TimeWarp, pairs, open, quiet);
+    for frame in 0..MOST_DETAILS {
+        (0..4).for_each(|motion| drop(student.details(motion, frame).cloned()));
+        let are_known =
+            |student: &Student| [1, 3].iter().all(|motion| student.known_details(*motion, frame).is_some());
+        update_until(&mut student, &[frame; 4], are_known);
+        assert!(student.desk.plan().motions.iter().all(|motion| motion.details.is_none()));
+    }
+}
+
+/// The solution, but that part 2 crashes.
+struct Crashes;
+
+impl Subject for Crashes {
+    fn ask(&mut self, question: &Question, limit: Duration) -> Result<Answer, Failure> {
+        match question {
+            Question::TimeWarp(exam::time_warp::Question::Blend { .. }) => {
+                Err(Failure::Crashed { how: "bang".into() })
+            }
+            _ => InProcess(Functions::TimeWarp(solutions::TIME_WARP)).ask(question, limit),
+        }
+    }
+}
+
+#[test]
+fn who_gives_up_because_of_a_part_by_itself_says_so() {
+    let mut student = Student::start(Mover::TimeWarp, pair(whole(960)), |_| Ok(Crashes), quiet);
+    for frame in 0..6 {
+        update_until(&mut student, &[0, frame], is_current(1, frame));
+        student.details(1, frame);
+        update_until(&mut student, &[0, frame], |student| student.details.contains_key(&(1, frame)));
+    }
+    student.replace_stage(1, Arc::new(samples::walk().warped(whole(700))));
+    update_until(&mut student, &[0, 3], |student| trouble(student, 1, 3).is_some());
 }
