@@ -184,8 +184,8 @@ fn along(offset: Vec3) -> (f32, Vec3) {
     // The squares of very small and very large lengths do not fit into single precision.
     let parts = offset.to_array().map(f64::from);
     let length = parts[0].hypot(parts[1]).hypot(parts[2]) as f32;
-    if length == 0.0 {
-        return (0.0, Vec3::Y);
+    if length == 0.0 || length.is_infinite() {
+        return (length, Vec3::Y);
     }
     let with = |length: f32| (length, Vec3::from(parts.map(|part| (part / f64::from(length)) as f32)));
     let near = (0..=NEAR).flat_map(|bits| [bits, -bits]);
