@@ -125,3 +125,21 @@ pub fn check(target: Target, sources: &[Source]) -> Result<(), String> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_in_a_command_is_one_word_of_it() {
+        for (path, word) in [
+            ("data/walk-2.bvh", "data/walk-2.bvh"),
+            ("my files/walk.bvh", "\"my files/walk.bvh\""),
+            ("a(1).bvh", "\"a(1).bvh\""),
+            ("it's.bvh", "\"it's.bvh\""),
+            ("$x `y` \"z\".bvh", "'$x `y` \"z\".bvh'"),
+        ] {
+            assert_eq!(shown_in_command(Path::new(path)), word);
+        }
+    }
+}
