@@ -6,6 +6,7 @@ use common::acclaim::{AMC, amc, asf, motion, motion_and_warnings, skeleton};
 use common::bones::{any_angles, any_rotations, any_skeleton, ends, measure};
 use glam::Vec3;
 use parser::acclaim::{ConvertError, to_bones, to_joints};
+use parser::bvh;
 use proptest::prelude::*;
 use skeleton::acclaim::{self, Columns};
 use skeleton::{Axis, Channel, JointId, Motion, Pose, RotationOrder, Skeleton, pose_frame};
@@ -287,4 +288,27 @@ fn a_deep_figure_can_be_converted() {
     let bones = to_bones(&Motion::new(deep, 1, 0.1, values).expect("a frame")).expect("bones");
     let joints = to_joints(&bones, 0.1).expect("joints");
     assert_eq!(joints.skeleton().len(), bones.skeleton().len() + 1);
+}
+
+#[test]
+fn what_went_to_and_fro_once_does_so_again_without_a_change() {
+    for name in ["running", "dance"] {
+        let path = format!("{}/../../data/{name}.bvh", env!("CARGO_MANIFEST_DIR"));
+        let bones = to_bones(&bvh::read_file(path).unwrap().motion).unwrap();
+        let joints = to_joints(&bones, 0.01).unwrap();
+        let again = to_bones(&joints).unwrap();
+        assert_eq!(again, bones);
+        assert_eq!(to_joints(&again, 0.01).unwrap(), joints);
+    }
+}
+
+#[test]
+fn very_small_and_very_large_joints_keep_their_length() {
+    for offset in [Vec3::new(1e-30, 2e-40, 0.0), Vec3::new(1e38, -2e38, 1e38), Vec3::Y * 1e-45] {
+        let mut skeleton = Skeleton::new();
+        let root = skeleton.add_joint(None, "r", Vec3::ZERO, []).unwrap();
+        skeleton.add_joint(Some(root), "j", offset, []).unwrap();
+        let bones = to_bones(&Motion::new(skeleton, 0, 0.1, Vec::new()).unwrap()).unwrap();
+        assert!(bones.skeleton().bones().iter().any(|bone| bone.rest_vector() == offset), "{offset}");
+    }
 }

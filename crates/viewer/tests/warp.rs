@@ -26,7 +26,8 @@ fn assert_done(output: &Output) {
 #[test]
 fn keyframes_and_frames_that_are_not_there_are_told() {
     let walk = data("walk.amc");
-    let png = tempfile::tempdir().unwrap().path().join("a.png").to_str().unwrap().to_owned();
+    let folder = tempfile::tempdir().unwrap();
+    let png = folder.path().join("a.png").to_str().unwrap().to_owned();
     for arguments in [&["--between", "400,900"][..], &["--between", "400,900", "--png", &png]] {
         let refused = view(&[&[walk.as_str()], arguments].concat());
         assert!(!refused.status.success());

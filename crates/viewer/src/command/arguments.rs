@@ -28,7 +28,8 @@ use crate::window::keys;
 #[command(name = "cargo view", bin_name = "cargo view", after_help = keys_for_terminal())]
 pub struct Arguments {
     /// The motion: a .bvh file, or an .asf file with the skeleton and an .amc file with its motion; several are shown side by
-    /// side [default: data/running.bvh, data/dance.bvh for the exercise on interpolation, data/walk.amc for that on Acclaim]
+    /// side [default: data/running.bvh, data/dance.bvh for the exercise on interpolation, data/walk.amc for
+    /// those on Acclaim and time warping]
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
 
@@ -110,9 +111,9 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = Positions::Replace)]
     positions: Positions,
 
-    /// Frames per second of an .amc file, which does not say it
-    #[arg(long, value_name = "N", default_value_t = USUAL_RATE, value_parser = parse_rate)]
-    rate: f64,
+    /// Frames per second of an .amc file, which does not say it [default: 120]
+    #[arg(long, value_name = "N", value_parser = parse_rate, allow_negative_numbers = true)]
+    rate: Option<f64>,
 
     /// The axis that points up in the file [default: told by the figure]
     #[arg(long, value_enum)]
@@ -175,7 +176,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// When the skeleton of a motion of bones is not found.
+    /// When the skeleton of a motion of bones is not found, or there are no motions of bones for what is said of these.
     pub fn sources(&self, workspace: &Path) -> Result<Vec<Source>, String> {
         let name = match self.exercise {
             // A short motion with full turns shows most of what can be wrong between two frames.
@@ -186,14 +187,21 @@ impl Arguments {
         let default = || vec![workspace.join("data").join(name)];
         let files = if self.files.is_empty() { default() } else { self.files.clone() };
         let source = |path| Source {
-            rate: self.rate,
+            rate: self.rate.unwrap_or(USUAL_RATE),
             positions: self.positions.into(),
             up: self.up,
             ..Source::new(path)
         };
+        let sources = files::sources(&files, source)?;
+        if self.rate.is_some() && !sources.iter().any(Source::has_bones) {
+            let title = sources.first().map(Source::title).unwrap_or_default();
+            return Err(format!(
+                "--rate is for .amc files, which do not say how fast they are; {title} says it: Frame Time"
+            ));
+        }
         let twice = Warping { frames: None, keyframes: None };
         let usual = (self.exercise == Package::TimeWarp).then_some(twice);
-        Ok(self.warp.beside(files::sources(&files, source)?, usual))
+        Ok(self.warp.beside(sources, usual))
     }
 
     /// What to write, when there is to be no window.

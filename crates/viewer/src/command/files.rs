@@ -3,8 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::targets::shown;
+use super::targets::{shown, shown_in_command};
 use crate::motion::source::{Source, ends_in};
+
+/// So many skeletons are listed.
+const MOST_LISTED: usize = 5;
 
 /// One motion for each file, but for the skeletons of bones that a motion among the files needs. `source` makes a motion of a
 /// path.
@@ -24,7 +27,7 @@ pub fn sources(files: &[PathBuf], source: impl Fn(PathBuf) -> Source) -> Result<
                 used[named] = true;
                 files[named].clone()
             }
-            None => beside(file).ok_or_else(|| missing(file))?,
+            None => beside(file)?,
         };
         sources.push((at, Source { skeleton: Some(skeleton), ..source(file.clone()) }));
     }
@@ -39,10 +42,21 @@ pub fn sources(files: &[PathBuf], source: impl Fn(PathBuf) -> Source) -> Result<
 
 /// The skeleton in the folder of a motion: that of the same name, or of the beginning of its name, as `35.asf` with
 /// `35_01.amc`; otherwise the only one there.
-fn beside(motion: &Path) -> Option<PathBuf> {
+///
+/// # Errors
+///
+/// When it is none of these: with what there is.
+fn beside(motion: &Path) -> Result<PathBuf, String> {
     let folder = motion.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let files = fs::read_dir(folder).ok()?.filter_map(|entry| Some(entry.ok()?.path()));
-    let skeletons: Vec<PathBuf> = files.filter(|file| ends_in(file, "asf")).collect();
+    let files = fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path()));
+    let mut skeletons: Vec<PathBuf> = files.filter(|file| ends_in(file, "asf") && !file.is_dir()).collect();
+    // So that it is the same one everywhere.
+    skeletons.sort();
+    named(motion, &skeletons).cloned().ok_or_else(|| missing(motion, &skeletons))
+}
+
+/// The one of these skeletons that belongs to a motion, if that is clear.
+fn named<'a>(motion: &Path, skeletons: &'a [PathBuf]) -> Option<&'a PathBuf> {
     let stem = |file: &Path| file.file_stem().map(|stem| stem.to_string_lossy().to_lowercase());
     let name = stem(motion)?;
     let begins = |skeleton: &PathBuf| {
@@ -53,7 +67,7 @@ fn beside(motion: &Path) -> Option<PathBuf> {
         .iter()
         .filter(|skeleton| begins(skeleton).is_some())
         .min_by_key(|skeleton| begins(skeleton));
-    named.or(skeletons.first().filter(|_| skeletons.len() == 1)).cloned()
+    named.or(skeletons.first().filter(|_| skeletons.len() == 1))
 }
 
 /// Sees to it that all motions have bones.
@@ -73,16 +87,20 @@ pub fn check_bones(sources: &[Source]) -> Result<(), String> {
     ))
 }
 
-/// A file as one would write it in a command.
-fn shown_in_command(path: &Path) -> String {
-    let path = shown(path);
-    let quote = if path.contains(' ') { "\"" } else { "" };
-    format!("{quote}{path}{quote}")
-}
-
-fn missing(motion: &Path) -> String {
+/// Why there is no skeleton for a motion, with these in its folder.
+fn missing(motion: &Path, skeletons: &[PathBuf]) -> String {
+    if let Err(error) = fs::metadata(motion) {
+        return format!("{}: cannot be opened: {error}", shown(motion));
+    }
+    let name = |skeleton: &PathBuf| shown(Path::new(skeleton.file_name().unwrap_or_default()));
+    let listed: Vec<String> = skeletons.iter().take(MOST_LISTED).map(name).collect();
+    let there = match skeletons.len() - listed.len() {
+        0 if listed.is_empty() => "there is none in its folder".into(),
+        0 => format!("none in its folder has its name ({})", listed.join(", ")),
+        more => format!("none in its folder has its name ({}, and {more} more)", listed.join(", ")),
+    };
     format!(
-        "{} is the motion of a skeleton that is in another file, an .asf file, and it is not clear in which one: \
+        "{} is the motion of a skeleton that is in another file, an .asf file, and {there}; name it in front of the motion: \
          cargo view SKELETON.asf {}",
         shown(motion),
         shown_in_command(motion)
@@ -137,7 +155,11 @@ mod tests {
             sources.map(|mut sources| sources.remove(0).skeleton.unwrap())
         };
         let told = skeleton("35_01.amc").unwrap_err();
-        assert!(told.contains("cargo view SKELETON.asf") && told.contains("35_01.amc"), "{told}");
+        assert!(told.starts_with(&format!("{}: cannot be opened: ", path("35_01.amc").display())), "{told}");
+        fs::write(path("35_01.amc"), "").unwrap();
+        fs::create_dir(path("a folder.asf")).unwrap();
+        let told = skeleton("35_01.amc").unwrap_err();
+        assert!(told.contains("there is none in its folder") && told.contains("SKELETON.asf"), "{told}");
         for name in ["walker.asf", "35.asf", "walk.asf", "35_01.asf", "Walk_On.ASF"] {
             fs::write(path(name), "").unwrap();
             if name == "walker.asf" {
@@ -148,6 +170,8 @@ mod tests {
         assert_eq!(skeleton("35_01.amc").unwrap(), path("35_01.asf"));
         assert_eq!(skeleton("walk_on_2.AMC").unwrap(), path("Walk_On.ASF"));
         assert_eq!(skeleton("walk.amc").unwrap(), path("walk.asf"));
-        assert!(skeleton("36_01.amc").is_err());
+        fs::write(path("36_01.amc"), "").unwrap();
+        let told = skeleton("36_01.amc").unwrap_err();
+        assert!(told.contains("(35.asf, 35_01.asf, Walk_On.ASF, walk.asf, walker.asf)"), "{told}");
     }
 }

@@ -5,9 +5,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use exam::WorkerProcess;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::{Arguments, Output};
+use super::bar::bar;
+use super::targets::shown;
 use super::{edited, say, text, workspace};
 use crate::draw::Painter;
 use crate::draw::canvas::Canvas;
@@ -37,8 +38,7 @@ pub fn write(arguments: &Arguments, output: &Output, sources: &[Source]) -> Resu
         Output::Apng(_) => studio.film(path, Format::Apng),
         Output::Sheet(_) => studio.sheet(path, arguments),
     };
-    say(&format!("{}: {}\n", path.display(), written?));
-    Ok(())
+    say(&format!("{}: {}\n", shown(path), written?))
 }
 
 /// What pictures are made of.
@@ -178,7 +178,7 @@ impl Studio {
 
     fn film(&mut self, path: &Path, format: Format) -> Result<String, String> {
         let (count, size, seconds) = (self.frames.len(), self.size, self.seconds);
-        let progress = bar(count);
+        let progress = bar(count, "{bar:40} {pos} of {len} pictures, {eta} left");
         let draw = |index: usize, canvas: &mut Canvas| {
             self.draw_playing(self.frames[index.min(count - 1)]);
             canvas.paste(self.screen.canvas(), 0, 0);
@@ -276,12 +276,5 @@ fn save(screen: &Screen, path: &Path) -> Result<(), String> {
 }
 
 fn not_written(path: &Path, error: &std::io::Error) -> String {
-    format!("the picture cannot be written to {}: {error}", path.display())
-}
-
-/// A bar in the terminal; nothing where there is none.
-fn bar(count: usize) -> ProgressBar {
-    let bar = ProgressBar::new(count as u64);
-    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} pictures, {eta} left");
-    style.map_or(bar.clone(), |style| bar.with_style(style))
+    format!("the picture cannot be written to {}: {error}", shown(path))
 }

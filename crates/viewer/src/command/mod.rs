@@ -1,6 +1,7 @@
 //! The command `cargo view`.
 
 mod arguments;
+mod bar;
 mod convert;
 mod edited;
 mod files;
@@ -21,6 +22,7 @@ use clap::{CommandFactory, Parser};
 use crate::live::mover::Mover;
 use crate::live::worker::Trouble;
 use crate::motion::source::{self, Source};
+use crate::output::beside;
 use crate::view::app::App;
 use crate::view::gallery::Gallery;
 use crate::view::session::Session;
@@ -52,8 +54,11 @@ fn view(arguments: &Arguments) -> Result<(), String> {
         targets::check(target, &sources)?;
     }
     if arguments.print {
+        let mut before = None;
         for source in &sources {
-            say(&print::report(source, &source.read().map_err(text)?));
+            let loaded = source.read_behind(before.as_ref()).map_err(text)?;
+            say(&print::report(source, &loaded))?;
+            before = Some(loaded.stage);
         }
         return Ok(());
     }
@@ -61,9 +66,11 @@ fn view(arguments: &Arguments) -> Result<(), String> {
         files::check_bones(&sources)?;
     }
     if let Some(output) = pictures {
+        leave_nothing_behind();
         return headless::write(arguments, &output, &sources);
     }
     if !arguments.new_files().is_empty() {
+        leave_nothing_behind();
         return convert::write(arguments, &sources);
     }
 
@@ -74,7 +81,7 @@ fn view(arguments: &Arguments) -> Result<(), String> {
     }
     let mut gallery = Gallery::new(apps);
     arguments.prepare(&mut gallery)?;
-    say(&reports);
+    say(&reports)?;
     let workspace = workspace();
     let followed = (!arguments.solution).then_some((arguments.exercise, workspace.as_path()));
     let session = || Session::open(gallery, sources, followed);
@@ -115,9 +122,29 @@ fn open(
     }
 }
 
+/// Sees to it that Ctrl-C takes files that are not yet whole away.
+fn leave_nothing_behind() {
+    let end = || {
+        let _unfinished = beside::abandon();
+        std::process::exit(130);
+    };
+    // Where the system does not let it, Ctrl-C ends the program as it ends any other.
+    let _ = ctrlc::set_handler(end);
+}
+
 /// Writes to the standard output. Whoever reads there may have gone, as `head` does; that is no reason to fail.
-fn say(text: &str) {
-    let _ = io::stdout().write_all(text.as_bytes());
+///
+/// # Errors
+///
+/// When it cannot be written there, as to a file on a full disk.
+fn say(text: &str) -> Result<(), String> {
+    let mut out = io::stdout();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(format!("what there is to say cannot be written to the standard output: {error}"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Says in the terminal what is wrong with the student's functions, and what a picture shows for this reason.

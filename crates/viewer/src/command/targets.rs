@@ -59,7 +59,24 @@ pub fn shown(path: &Path) -> String {
     printable(&path.display().to_string())
 }
 
-/// Looks at the name of what is to be written.
+/// A path as one would write it in a command.
+pub fn shown_in_command(path: &Path) -> String {
+    let path = shown(path);
+    let is_plain = |c: char| c.is_alphanumeric() || "._-+/\\:,=@%".contains(c);
+    // Between double quotes a shell still reads these.
+    let quote = match () {
+        () if !path.is_empty() && path.chars().all(is_plain) => "",
+        () if path.contains(['"', '$', '`', '!']) && !path.contains('\'') => "'",
+        () => "\"",
+    };
+    format!("{quote}{path}{quote}")
+}
+
+/// Looks at where something is to be written, before any work is done for it.
+///
+/// # Errors
+///
+/// When it cannot be written there, or something would be lost.
 pub fn check(target: Target, sources: &[Source]) -> Result<(), String> {
     let Target { ref path, option, what, endings, may_replace } = target;
     let ends_in = |ending: &str| source::ends_in(path, ending);
@@ -67,10 +84,9 @@ pub fn check(target: Target, sources: &[Source]) -> Result<(), String> {
     let is_motion = MOTIONS.into_iter().any(ends_in);
     if is_motion && !endings.iter().any(|ending| MOTIONS.contains(ending)) {
         let name = printable(&path.file_name().unwrap_or_default().display().to_string());
-        let path = shown(path);
-        let quote = if path.contains(' ') { "\"" } else { "" };
+        let path = shown_in_command(path);
         return Err(format!(
-            "{option} names the {what} to write; to show {name}: cargo view {quote}{path}{quote} {option} {what}.{ending}"
+            "{option} names the {what} to write; to show {name}: cargo view {path} {option} {what}.{ending}"
         ));
     }
     if !endings.iter().any(|ending| ends_in(ending)) {
@@ -89,11 +105,41 @@ pub fn check(target: Target, sources: &[Source]) -> Result<(), String> {
             return Err(format!("{} is the {is}: the {what} needs a name of its own", shown(path)));
         }
     }
-    if !may_replace && path.exists() {
+    if path.is_dir() {
+        return Err(format!("{} is a folder: the {what} needs a name of its own", shown(path)));
+    }
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
+        let is = if folder.exists() { "is no folder" } else { "is not there" };
+        return Err(format!(
+            "the {what} cannot be written to {}: the folder {} {is}; make it first, or choose another",
+            shown(path),
+            shown(folder)
+        ));
+    }
+    // A link is there, even if it leads nowhere.
+    if !may_replace && path.symlink_metadata().is_ok() {
         return Err(format!(
             "{} is there already: choose another name, or add --overwrite to put the {what} in its place",
             shown(path)
         ));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_in_a_command_is_one_word_of_it() {
+        for (path, word) in [
+            ("data/walk-2.bvh", "data/walk-2.bvh"),
+            ("my files/walk.bvh", "\"my files/walk.bvh\""),
+            ("a(1).bvh", "\"a(1).bvh\""),
+            ("it's.bvh", "\"it's.bvh\""),
+            ("$x `y` \"z\".bvh", "'$x `y` \"z\".bvh'"),
+        ] {
+            assert_eq!(shown_in_command(Path::new(path)), word);
+        }
+    }
 }

@@ -55,8 +55,8 @@ pub fn parse_speed(text: &str) -> Result<f64, String> {
 }
 
 pub fn parse_rate(text: &str) -> Result<f64, String> {
-    let rate = text.parse().ok().filter(|rate| (0.001..=100_000.0).contains(rate));
-    rate.ok_or_else(|| "write a number of frames per second, for example 120".into())
+    let rate = text.parse().ok().filter(|rate| (1e-6..=1e6).contains(rate));
+    rate.ok_or_else(|| "write a number of frames per second from 0.000001 to 1000000, for example 120".into())
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use crate::view::warp::MOST_FRAMES;
 #[command(next_help_heading = "Time warp")]
 pub struct WarpArguments {
     /// Shows the motion beside itself with so many frames, slower or faster [default with --between: twice as many]
-    #[arg(long, value_name = "FRAMES", value_parser = parse_count)]
+    #[arg(long, value_name = "FRAMES", value_parser = parse_count, allow_negative_numbers = true)]
     warp: Option<usize>,
 
     /// Warps only the stretch between these two keyframes: --warp says how many frames it is from the one to the other, and all

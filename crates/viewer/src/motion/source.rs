@@ -161,7 +161,7 @@ impl Source {
     fn read_bones(&self) -> Result<Loaded, Unreadable> {
         let file = self.skeleton.as_deref().unwrap_or(&self.path);
         let acclaim::SkeletonReading { skeleton, warnings } = acclaim::read_skeleton_file(file)?;
-        let mut told: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+        let mut told: Vec<String> = warnings.iter().map(|warning| self.of_skeleton(warning)).collect();
         let motion = if self.skeleton.is_some() {
             let acclaim::MotionReading { motion, warnings } =
                 acclaim::read_motion_file(&self.path, &skeleton)?;
@@ -175,6 +175,14 @@ impl Source {
         let bones = Bones::new(motion, joints.skeleton());
         let stage = Stage::with_up(joints, PositionChannels::Replace, self.up).with_bones(bones);
         Ok(Loaded { stage: Arc::new(stage), warnings: told })
+    }
+
+    /// A warning about the skeleton, whose file is another one than that of the motion.
+    fn of_skeleton(&self, warning: &acclaim::Warning) -> String {
+        match self.skeleton.as_ref().and_then(|skeleton| skeleton.file_name()) {
+            Some(name) => format!("in {}, {warning}", parser::printable(&name.to_string_lossy())),
+            None => warning.to_string(),
+        }
     }
 
     fn bones(&self, error: acclaim::ConvertError) -> Unreadable {

@@ -5,6 +5,10 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The files that are not yet whole. Whoever holds them is the only one who makes, moves or removes such files.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Lets `fill` write a file beside `path`, which takes the place of whatever is there once all of it has been written.
 /// When anything fails, what was there stays, and the other file is removed.
@@ -16,10 +20,10 @@ pub(crate) fn write_whole<E: From<io::Error>>(
     path: &Path,
     fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
 ) -> Result<(), E> {
-    let (part, mut writer) = Part::open(path)?;
+    let (mut part, mut writer) = Part::open(path)?;
     fill(&mut writer)?;
     close(writer)?;
-    part.take_place_of(path)?;
+    part.take_place_of(path, &mut unfinished())?;
     Ok(())
 }
 
@@ -33,22 +37,39 @@ pub(crate) fn write_both<E: From<io::Error>>(
     [first, second]: [&Path; 2],
     fill: impl FnOnce(&mut dyn Write, &mut dyn Write) -> Result<(), E>,
 ) -> Result<(), E> {
-    let (one, mut one_out) = Part::open(first)?;
-    let (two, mut two_out) = Part::open(second)?;
+    let (mut one, mut one_out) = Part::open(first)?;
+    let (mut two, mut two_out) = Part::open(second)?;
     fill(&mut one_out, &mut two_out)?;
     close(one_out)?;
     close(two_out)?;
-    let older = if first.exists() { Some(Part::copy_of(first)?) } else { None };
-    one.take_place_of(first)?;
-    if let Err(error) = two.take_place_of(second) {
+    let mut older = if first.exists() { Some(Part::copy_of(first)?) } else { None };
+    // Held over both, so that the program does not end between them.
+    let mut unfinished = unfinished();
+    one.take_place_of(first, &mut unfinished)?;
+    if let Err(error) = two.take_place_of(second, &mut unfinished) {
         // Something has gone wrong already, and that is worth telling.
-        let _ = match older {
-            Some(older) => older.take_place_of(first),
+        let _ = match &mut older {
+            Some(older) => older.take_place_of(first, &mut unfinished),
             None => fs::remove_file(first),
         };
         return Err(error.into());
     }
     Ok(())
+}
+
+/// Removes all files that are not yet whole, for a program that is about to end. As long as the answer is held, there
+/// will be no others, and none takes a place.
+pub(crate) fn abandon() -> MutexGuard<'static, Vec<PathBuf>> {
+    let mut unfinished = unfinished();
+    for path in unfinished.drain(..) {
+        // Nobody is left to be told.
+        let _ = fs::remove_file(path);
+    }
+    unfinished
+}
+
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Writes what is still to be written, and closes the file before it is moved: Windows does not move open files.
@@ -69,7 +90,9 @@ impl Part {
         name.push(path.file_name().unwrap_or_default());
         name.push(format!(".{}-{}.tmp", std::process::id(), NUMBER.fetch_add(1, Ordering::Relaxed)));
         let path = path.with_file_name(name);
+        let mut unfinished = unfinished();
         let file = File::create(&path)?;
+        unfinished.push(path.clone());
         Ok((Part { path: Some(path) }, file))
     }
 
@@ -85,9 +108,10 @@ impl Part {
         Ok(part)
     }
 
-    fn take_place_of(mut self, target: &Path) -> io::Result<()> {
+    fn take_place_of(&mut self, target: &Path, unfinished: &mut Vec<PathBuf>) -> io::Result<()> {
         if let Some(path) = &self.path {
             fs::rename(path, target)?;
+            unfinished.retain(|other| other != path);
         }
         self.path = None;
         Ok(())
@@ -97,8 +121,10 @@ impl Part {
 impl Drop for Part {
     fn drop(&mut self) {
         if let Some(path) = &self.path {
+            let mut unfinished = unfinished();
             // Something has gone wrong already, and that is worth telling.
             let _ = fs::remove_file(path);
+            unfinished.retain(|other| other != path);
         }
     }
 }

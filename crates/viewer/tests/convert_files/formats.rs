@@ -141,6 +141,28 @@ fn a_motion_is_reduced_where_keyframes_are_spoken_of_and_not_elsewhere() {
 }
 
 #[test]
+fn a_file_whose_offsets_are_all_zero_says_with_its_channels_how_large_it_is() {
+    let folder = Folder::new();
+    let (file, out) = (folder.text("no offsets.bvh"), folder.text("moved.amc"));
+    let channels = "OFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition";
+    let write = |second: f32| {
+        let text = format!(
+            "HIERARCHY\nROOT r\n{{\n{channels}\nJOINT j\n{{\n{channels}\n}}\n}}\n\
+             MOTION\nFrames: 2\nFrame Time: 0.5\n0 0 0 10 20 30\n0 0 0 {second} 20 30\n"
+        );
+        fs::write(&file, text).unwrap();
+    };
+    // A rounding error is no motion.
+    write(10.000_01);
+    run(&[&file, "--out", &out]).unwrap();
+    let bones = read_bones(&out);
+    let places = places(bones.skeleton(), &bones.posture(1));
+    assert!(places.iter().any(|place| place.end.distance(Vec3::new(10.0, 20.0, 30.0)) < 1e-3));
+    write(10.1);
+    assert!(run(&[&file, "--out", &out, "--overwrite"]).unwrap_err().contains("in frame 2"));
+}
+
+#[test]
 fn position_channels_that_are_added_are_added_in_bones_too() {
     let folder = Folder::new();
     let (file, out) = (folder.text("moved.bvh"), folder.text("moved.amc"));

@@ -13,7 +13,7 @@ mod warps;
 use std::fs;
 use std::path::Path;
 
-use command::view;
+use command::{command, view};
 use files::{Folder, data, run};
 use glam::{Quat, Vec3};
 use parser::{acclaim, bvh};

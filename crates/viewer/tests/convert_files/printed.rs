@@ -43,6 +43,40 @@ fn what_is_unusual_about_bones_is_printed() {
 }
 
 #[test]
+fn what_is_odd_about_the_skeleton_is_told_with_its_file() {
+    let folder = Folder::new();
+    let odd = odd_files(&folder, 2);
+    fs::write(folder.path("odd one.asf"), ODD_BONES.replace("direction 0 1 0", "direction 0 2 0")).unwrap();
+    let (said, _) = run(&[&odd, "--print"]).unwrap();
+    assert!(said.contains("\nwarning          in odd one.asf, line 15, column "), "{said}");
+    let (said, _) = run(&[&folder.text("odd one.asf"), "--print"]).unwrap();
+    assert!(said.contains("\nwarning          line 15, column "), "{said}");
+}
+
+/// What is read from a pipe is not there a second time.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_motion_and_the_same_one_warped_are_read_once() {
+    let file = fs::File::open(data("dance.bvh")).unwrap();
+    let (reader, mut writer) = std::io::pipe().unwrap();
+    let feed = std::thread::spawn(move || std::io::copy(&mut { file }, &mut writer));
+    let printed = command(&["/dev/stdin", "--print", "--warp", "9"]).stdin(reader).output().unwrap();
+    feed.join().unwrap().unwrap();
+    let said = String::from_utf8(printed.stdout).unwrap();
+    assert!(printed.status.success() && said.contains("frames           9 (numbered 0 to 8)"), "{said}");
+}
+
+#[test]
+fn help_fits_into_a_terminal_of_80_columns() {
+    for help in ["--help", "-h"] {
+        let output = command(&[help]).env("COLUMNS", "80").output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        let long: Vec<&str> = text.lines().filter(|line| line.chars().count() > 80).collect();
+        assert!(text.contains("--between") && long.is_empty(), "{long:#?}");
+    }
+}
+
+#[test]
 fn a_warped_motion_is_not_printed_a_second_time() {
     let once = run(&[&data("walk.amc"), "--print"]).unwrap().0;
     for (warp, title, frames, seconds) in [

@@ -65,16 +65,73 @@ fn neither_a_motion_nor_its_skeleton_is_ever_lost() {
 fn when_one_of_two_cannot_be_written_the_other_is_not_there() {
     let folder = Folder::new();
     let (amc, asf) = (folder.text("new.amc"), folder.text("new.asf"));
-    for (folder_name, warp) in [(&amc, &[][..]), (&asf, &[]), (&amc, &["--warp", "30"])] {
-        fs::create_dir(folder_name).unwrap();
+    for (taken, what, warp) in
+        [(&amc, "motion", &[][..]), (&asf, "skeleton", &[]), (&amc, "motion", &["--warp", "30"])]
+    {
+        fs::create_dir(taken).unwrap();
         let told = run(&[&[&*data("dance.bvh"), "--out", &amc, "--overwrite"], warp].concat()).unwrap_err();
-        let expected = format!("the motion and its skeleton cannot be written to {amc} and {asf}: ");
-        assert!(told.starts_with(&expected), "{told}");
+        assert_eq!(told, format!("{taken} is a folder: the new {what} needs a name of its own\n"));
         assert_eq!(folder.names().len(), 1, "{:?}", folder.names());
-        fs::remove_dir(folder_name).unwrap();
+        fs::remove_dir(taken).unwrap();
     }
-    let told = run(&[&data("dance.bvh"), "--out", &folder.text("none/new.amc")]).unwrap_err();
-    assert!(told.starts_with("the motion and its skeleton cannot be written to "), "{told}");
+    // What bones cannot hold is found when the first of the two files is there in part.
+    let file = folder.text("far.bvh");
+    let text = "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 1 Zrotation\nEnd Site\n{\nOFFSET 3e38 3e38 3e38\n}\n}\n\
+                MOTION\nFrames: 1\nFrame Time: 0.5\n10\n";
+    fs::write(&file, text).unwrap();
+    let told = run(&[&file, "--out", &amc]).unwrap_err();
+    let expected = format!(
+        "the motion and its skeleton cannot be written to {amc} and {asf}: a number of `r_end` is not"
+    );
+    assert!(told.starts_with(&expected), "{told}");
+    assert_eq!(folder.names(), ["far.bvh"]);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_link_is_there_even_if_it_leads_nowhere() {
+    let folder = Folder::new();
+    let out = folder.text("link.bvh");
+    std::os::unix::fs::symlink("nowhere.bvh", &out).unwrap();
+    let told = run(&[&data("walk.amc"), "--out", &out]).unwrap_err();
+    assert!(told.starts_with(&format!("{out} is there already: ")), "{told}");
+    assert!(fs::symlink_metadata(&out).unwrap().is_symlink());
+}
+
+/// Ends the program while it writes more frames than it could in any time.
+#[test]
+#[cfg(unix)]
+fn ctrl_c_leaves_nothing_behind_and_what_was_there() {
+    let folder = Folder::new();
+    let (amc, asf) = (folder.text("endless.amc"), folder.text("endless.asf"));
+    fs::write(&asf, "older").unwrap();
+    let arguments = [&*data("dance.bvh"), "--warp", "100000000", "--out", &amc, "--overwrite"];
+    let mut running = command(&arguments).stderr(std::process::Stdio::null()).spawn().unwrap();
+    while folder.names().len() < 3 {
+        assert!(running.try_wait().unwrap().is_none(), "it ended by itself");
+        std::thread::yield_now();
+    }
+    let id = running.id().to_string();
+    assert!(std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    assert_eq!(running.wait().unwrap().code(), Some(130));
+    assert_eq!(
+        (folder.names(), fs::read_to_string(&asf).unwrap()),
+        (vec!["endless.asf".into()], "older".into())
+    );
+}
+
+/// What nobody would miss on a terminal is lost in a file.
+#[test]
+#[cfg(target_os = "linux")]
+fn an_output_that_cannot_be_written_is_told_and_one_that_nobody_reads_is_not() {
+    let full = fs::File::options().write(true).open("/dev/full").unwrap();
+    let output = command(&[&data("walk.amc"), "--print"]).stdout(full).output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(1) && told.contains("the standard output"), "{told}");
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let output = command(&[&data("walk.amc"), "--print"]).stdout(writer).output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty());
 }
 
 #[test]
@@ -111,11 +168,17 @@ fn options_that_mean_nothing_together_are_refused() {
         (&["--out", &asf, "--keyframes", "9"], "--keyframes means nothing for a skeleton alone"),
         (&["--out", &amc, "--print"], "cannot be used with"),
         (&["--out", &amc, "--frame", "3"], "cannot be used with"),
+        (&["--out", &amc, "--up", "z"], "cannot be used with"),
+        (&["--rate", "-5"], "from 0.000001 to 1000000"),
+        (&["--rate", "0"], "from 0.000001 to 1000000"),
+        (&["--warp", "-3"], "how many frames there are to be, from 1"),
     ] {
         let output = view(&[&[&*data("walk.amc")], wrong].concat());
         let told = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.code() == Some(2) && told.contains(word), "{wrong:?}: {told}");
     }
+    let told = run(&[&data("dance.bvh"), "--out", &amc, "--rate", "60"]).unwrap_err();
+    assert!(told.ends_with("which do not say how fast they are; dance.bvh says it: Frame Time\n"), "{told}");
     for more in [&[][..], &["--warp", "9"]] {
         let told =
             run(&[&[&*data("walk.amc"), &data("dance.bvh"), "--out", &bvh], more].concat()).unwrap_err();

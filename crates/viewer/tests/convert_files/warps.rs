@@ -142,6 +142,38 @@ fn angles_go_on_without_a_jump() {
     }
 }
 
+/// A wheel does not turn back all its turns between two frames.
+#[test]
+fn angles_of_many_turns_go_on_as_they_are() {
+    let folder = Folder::new();
+    let (file, out) = (folder.text("wheel.bvh"), folder.text("slow wheel.bvh"));
+    let rows: String = (0..40).map(|i| format!("{} {} 10\n", 3000 + 170 * i, 5 * (i % 9))).collect();
+    let text = format!(
+        "HIERARCHY\nROOT r\n{{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{{\nOFFSET 0 5 0\n}}\n}}\n\
+         MOTION\nFrames: 40\nFrame Time: 0.04\n{rows}"
+    );
+    fs::write(&file, text).unwrap();
+    run(&[&file, "--warp", "400", "--out", &out]).unwrap();
+    let (then, now) = (read(&file), read(&out));
+    for frame in 1..390 {
+        for column in 0..3 {
+            let step = |motion: &Motion, frame: usize| {
+                (motion.row(frame + 1).unwrap()[column] - motion.row(frame).unwrap()[column]).abs()
+            };
+            let (old, new) = (step(&then, frame / 10), step(&now, frame));
+            assert!(new < old + 30.0, "{new} behind frame {frame}, and {old} in the original");
+        }
+    }
+    let half = now.row(5).unwrap();
+    let there =
+        Quat::from_euler(EulerRot::ZXY, half[0].to_radians(), half[1].to_radians(), half[2].to_radians());
+    let [from, to] = [0, 1].map(|frame| {
+        let [z, x, y] = <[f32; 3]>::try_from(then.row(frame).unwrap()).unwrap().map(f32::to_radians);
+        Quat::from_euler(EulerRot::ZXY, z, x, y)
+    });
+    assert!(angle_between(from.slerp(to, 0.5), there) < CLOSE);
+}
+
 #[test]
 fn a_run_of_joints_becomes_a_slow_run_of_bones() {
     let folder = Folder::new();

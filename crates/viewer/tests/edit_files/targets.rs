@@ -71,13 +71,19 @@ fn what_cannot_be_written_is_told_and_nothing_is_left_behind() {
         fs::create_dir(folder.path(name)).unwrap();
     }
     for (option, what, ending) in
-        [("--out", "motion", "bvh"), ("--plot", "picture", "svg"), ("--csv", "table", "csv")]
+        [("--out", "new motion", "bvh"), ("--plot", "picture", "svg"), ("--csv", "table", "csv")]
     {
-        for name in [format!("none/new.{ending}"), format!("folder.{ending}")] {
-            let target = folder.text(&name);
-            let overwrite: &[&str] = if option == "--out" { &["--overwrite"] } else { &[] };
-            let told = run(&[&[&*file, option, &target], overwrite].concat()).unwrap_err();
-            assert!(told.starts_with(&format!("the {what} cannot be written to {target}: ")), "{told}");
+        let overwrite: &[&str] = if option == "--out" { &["--overwrite"] } else { &[] };
+        let told = |target: &str| run(&[&[&*file, option, target], overwrite].concat()).unwrap_err();
+        let target = folder.text(&format!("folder.{ending}"));
+        assert_eq!(told(&target), format!("{target} is a folder: the {what} needs a name of its own\n"));
+        for (name, is) in [("none", "is not there"), ("arm.bvh", "is no folder")] {
+            let target = folder.text(&format!("{name}/new.{ending}"));
+            let expected = format!(
+                "the {what} cannot be written to {target}: the folder {} {is}; make it first, or choose another\n",
+                folder.text(name)
+            );
+            assert_eq!(told(&target), expected);
         }
     }
     assert_eq!(folder.names(), ["arm.bvh", "folder.bvh", "folder.csv", "folder.svg"]);

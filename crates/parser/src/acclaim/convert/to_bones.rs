@@ -141,19 +141,30 @@ fn only_children(joints: &[Joint]) -> Vec<Option<JointId>> {
 /// same in all frames. It may differ by as much as nobody could see.
 fn fixed_offsets(motion: &skeleton::Motion, starts: &[usize]) -> Result<Vec<Vec3>, ConvertError> {
     let joints = motion.skeleton().joints();
-    let tolerance = 1e-5 * motion.skeleton().extent();
     let mut offsets: Vec<Vec3> = joints.iter().map(|joint| joint.offset).collect();
-    let with_channels = joints.iter().filter(|joint| !joint.is_root() && !joint.channels.is_empty());
-    for joint in with_channels {
-        for (place, channel) in joint.channels.iter().enumerate() {
-            let Channel::Position(axis) = channel else { continue };
-            let value = |frame: usize| motion.row(frame).map(|row| row[starts[joint.id.0] + place]);
-            let Some(first) = value(0) else { continue };
-            offsets[joint.id.0][axis.index()] = first;
-            let moved = |frame: &usize| value(*frame).is_some_and(|value| (value - first).abs() > tolerance);
-            if let Some(frame) = (1..motion.frame_count()).find(moved) {
-                return Err(ConvertError::MovedJoint { joint: joint.name.clone(), frame: frame + 1 });
+    let moving: Vec<(&Joint, usize)> = joints
+        .iter()
+        .filter(|joint| !joint.is_root())
+        .flat_map(|joint| {
+            joint.channels.iter().enumerate().map(move |(place, channel)| (joint, place, channel))
+        })
+        .filter_map(|(joint, place, channel)| match (channel, motion.row(0)) {
+            (Channel::Position(axis), Some(first)) => {
+                let column = starts[joint.id.0] + place;
+                offsets[joint.id.0][axis.index()] = first[column];
+                Some((joint, column))
             }
+            _ => None,
+        })
+        .collect();
+    // Files whose OFFSETs are all zero have only their channels to say how large they are.
+    let longest = offsets.iter().skip(1).map(|offset| offset.length()).fold(0.0, f32::max);
+    let tolerance = 1e-5 * motion.skeleton().extent().max(longest);
+    for (joint, column) in moving {
+        let value = |frame: usize| motion.row(frame).map_or(0.0, |row| row[column]);
+        let moved = |frame: &usize| (value(*frame) - value(0)).abs() > tolerance;
+        if let Some(frame) = (1..motion.frame_count()).find(moved) {
+            return Err(ConvertError::MovedJoint { joint: joint.name.clone(), frame: frame + 1 });
         }
     }
     Ok(offsets)
@@ -161,6 +172,23 @@ fn fixed_offsets(motion: &skeleton::Motion, starts: &[usize]) -> Result<Vec<Vec3
 
 /// A bone along `offset` whose axes are the world's.
 fn bone(name: String, offset: Vec3, dofs: Vec<DegreeOfFreedom>) -> BoneData {
-    let length = offset.length();
-    BoneData { name, direction: offset.normalize_or(Vec3::Y), length, dofs, ..BoneData::default() }
+    let (length, direction) = along(offset);
+    BoneData { name, direction, length, dofs, ..BoneData::default() }
+}
+
+/// A length and a direction whose product is `offset`: nearly always to the last bit, so that converting to and fro does not move
+/// joints little by little. The direction is 1 long, but for a few bits.
+fn along(offset: Vec3) -> (f32, Vec3) {
+    /// In how many of the last bits the length may be another.
+    const NEAR: i32 = 16;
+    // The squares of very small and very large lengths do not fit into single precision.
+    let parts = offset.to_array().map(f64::from);
+    let length = parts[0].hypot(parts[1]).hypot(parts[2]) as f32;
+    if length == 0.0 || length.is_infinite() {
+        return (length, Vec3::Y);
+    }
+    let with = |length: f32| (length, Vec3::from(parts.map(|part| (part / f64::from(length)) as f32)));
+    let near = (0..=NEAR).flat_map(|bits| [bits, -bits]);
+    let mut near = near.map(|bits| with(f32::from_bits(length.to_bits().wrapping_add_signed(bits))));
+    near.find(|(length, direction)| *length * *direction == offset).unwrap_or_else(|| with(length))
 }

@@ -27,12 +27,18 @@ pub fn bones(skeleton: &Skeleton) -> String {
 
 /// What else there is to know about a motion of bones, with so many seconds from one frame to the next.
 pub fn beside(skeleton: &Path, seconds: f64) -> String {
-    let rate = shortened(number(1.0 / seconds, 2));
+    let rate = rate(1.0 / seconds);
     fact("skeleton", &shown(skeleton))
         + &fact(
             "frames per second",
             &format!("{rate}; the file does not say it: --rate {rate} when you show it"),
         )
+}
+
+/// Frames per second with five digits: enough to tell 23.976 from 24, and none that come of a rounded frame time.
+fn rate(rate: f64) -> String {
+    let before_point = rate.log10().floor().clamp(-4.0, 4.0) as i32 + 1;
+    shortened(number(rate, (5 - before_point).clamp(0, 7) as usize))
 }
 
 /// One line below what was written.
@@ -68,4 +74,26 @@ pub fn pair_not_written(skeleton: &Path, motion: &Path, error: &io::Error) -> St
         shown(motion),
         shown(skeleton)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rate_has_the_digits_that_it_takes() {
+        for (seconds, text) in [
+            (0.008333, "120"),
+            (0.0083333, "120"),
+            (1.0 / 120.0, "120"),
+            (0.0417083, "23.976"),
+            (0.033367, "29.97"),
+            (0.04, "25"),
+            (3.0, "0.33333"),
+            (700.0, "0.0014285714"),
+            (1e-5, "100000"),
+        ] {
+            assert_eq!(rate(1.0 / seconds), text);
+        }
+    }
 }

@@ -12,12 +12,12 @@ use skeleton::acclaim::Motion as BoneMotion;
 use skeleton::{Channel, Motion, PositionChannels};
 
 pub use arguments::{Format, OutArguments};
-pub use facts::{beside, not_written, warn};
+pub use facts::{beside, fact, not_written, warn};
 
 use super::print::count;
 use super::targets::shown;
 use super::{Arguments, keyframes, say, text};
-use crate::motion::source::{Source, ends_in};
+use crate::motion::source::{Loaded, Source};
 use crate::motion::stage::Stage;
 use crate::output::beside::{write_both, write_whole};
 
@@ -67,16 +67,25 @@ pub fn write(arguments: &Arguments, sources: &[Source]) -> Result<(), String> {
 /// Whether what is written is reduced to keyframes: where they are spoken of, and from BVH to BVH, where nothing else could be
 /// meant.
 fn reduces(arguments: &Arguments, source: &Source, out: &Path) -> bool {
-    let is_bvh = !ends_in(&source.path, "amc") && !ends_in(&source.path, "asf");
-    let from_bvh_to_bvh = is_bvh && Format::of(out) == Format::Bvh && source.warp.is_none();
+    let from_bvh_to_bvh = !source.has_bones() && Format::of(out) == Format::Bvh && source.warp.is_none();
     arguments.keyframes.given().next().is_some() || from_bvh_to_bvh
 }
 
-fn convert(source: &Source, path: &Path) -> Result<(), String> {
+/// Reads a motion, and tells in the terminal what is odd about its files.
+///
+/// # Errors
+///
+/// When they are no motion.
+pub fn read(source: &Source) -> Result<Loaded, String> {
     let loaded = source.read().map_err(text)?;
     for warning in &loaded.warnings {
         eprintln!("{}: {warning}", source.title());
     }
+    Ok(loaded)
+}
+
+fn convert(source: &Source, path: &Path) -> Result<(), String> {
+    let loaded = read(source)?;
     let (stage, format) = (loaded.stage, Format::of(path));
     let has_frames = stage.motion().frame_count() > 0;
     let needs_frames = source.warp.is_some() || matches!(format, Format::Amc { .. });
@@ -109,8 +118,7 @@ fn convert(source: &Source, path: &Path) -> Result<(), String> {
             format!("{frames}, {}{}", facts::bones(bones.skeleton()), beside(skeleton, seconds))
         }
     };
-    say(&format!("{}: {said}", shown(path)));
-    Ok(())
+    say(&format!("{}: {said}", shown(path)))
 }
 
 /// The motion of bones: as it was read, or the one that its joints stand for.

@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use parser::{acclaim, printable};
 
 use super::facts::{self, fact};
 use super::{bones, not_written, warn};
+use crate::command::bar::bar;
 use crate::command::print::{count, number};
 use crate::motion::source::Source;
 use crate::motion::stage::Stage;
@@ -17,7 +18,7 @@ use crate::output::warped;
 /// Writes a warped motion of joints, and gives what is to be said of it.
 pub fn write_joints(source: &Source, stage: &Stage, map: TimeMap, path: &Path) -> Result<String, String> {
     let motion = stage.motion();
-    let (bar, mut misfits) = (bar(map), Vec::new());
+    let (bar, mut misfits) = (frames_bar(map), Vec::new());
     write_whole(path, |out| {
         misfits = warped::write_joints(motion, map, out, &mut |done| bar.set_position(done as u64))?;
         Ok(())
@@ -36,7 +37,7 @@ pub fn write_bones(
     [skeleton, path]: [&Path; 2],
 ) -> Result<String, String> {
     let motion = bones(source, stage)?.into_owned();
-    let bar = bar(map);
+    let bar = frames_bar(map);
     let mut tick = |done: usize| bar.set_position(done as u64);
     let (motion, freed) = warped::fitting(motion, map, &mut tick);
     write_both([skeleton, path], |bones, frames| {
@@ -82,9 +83,7 @@ fn made_of(map: TimeMap) -> String {
     )
 }
 
-/// A bar in the terminal; nothing where there is none.
-fn bar(map: TimeMap) -> ProgressBar {
-    let bar = ProgressBar::new(map.frame_count() as u64);
-    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} frames, {eta} left");
-    style.map_or(bar.clone(), |style| bar.with_style(style))
+/// A bar in the terminal for the frames that are written.
+fn frames_bar(map: TimeMap) -> ProgressBar {
+    bar(map.frame_count(), "{bar:40} {pos} of {len} frames, {eta} left")
 }

@@ -11,9 +11,9 @@ use crate::view::app::EditSettings;
 
 /// Options that have to do with the window or a picture, or with the student's functions, and mean nothing for new motions and
 /// curves. Whatever needs a file names them too: next to one of them, clap no longer asks for what is needed.
-pub const MEANINGLESS: [&str; 13] = [
+pub const MEANINGLESS: [&str; 14] = [
     "exercise", "output", "frame", "frames", "pictures", "speed", "size", "scale", "camera", "lines",
-    "joint", "hide", "show",
+    "joint", "hide", "show", "up",
 ];
 
 /// A motion reduced to keyframes, and what that costs.
@@ -186,7 +186,7 @@ mod tests {
         };
         parsed(&[]).unwrap();
         parsed(&["--solution", "--keyframes", "12", "--mode", "euler"]).unwrap();
-        for useless in [["--exercise", "keyframes"], ["--png", "a.png"], ["--frame", "3"]] {
+        for useless in [["--exercise", "keyframes"], ["--png", "a.png"], ["--frame", "3"], ["--up", "z"]] {
             let told = parsed(&useless).unwrap_err().to_string();
             assert!(told.contains("cannot be used with"), "{told}");
         }

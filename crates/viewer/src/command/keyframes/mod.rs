@@ -5,17 +5,18 @@ mod arguments;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use parser::bvh;
 use reduction::{Curve, Errors, curve};
 use skeleton::{Frame, Motion, Representation};
 
 pub use arguments::{KeyframeArguments, MEANINGLESS};
 
-use super::convert::{self, Format, not_written, warn};
+use super::bar::bar;
+use super::convert::{self, Format, fact, not_written, warn};
 use super::print::{count, number};
+use super::say;
 use super::targets::shown;
-use super::{say, text};
 use crate::motion::source::Source;
 use crate::output::beside::write_whole;
 use crate::output::edit::{self, Choice, Reduced, TooLong};
@@ -26,10 +27,7 @@ const MOST_LISTED: usize = 200;
 /// Writes the reduced motion of `source` to `out`, and the curves that the command line asks for. The targets have been looked
 /// at.
 pub fn write(arguments: &KeyframeArguments, out: Option<&Path>, source: &Source) -> Result<(), String> {
-    let loaded = source.read().map_err(text)?;
-    for warning in &loaded.warnings {
-        eprintln!("{}: {warning}", source.title());
-    }
+    let loaded = convert::read(source)?;
     let motion = loaded.stage.motion();
     if motion.frame_count() == 0 {
         return Err(format!("{}: there are no frames, and so no keyframes", source.title()));
@@ -60,7 +58,7 @@ impl Work<'_> {
 
     fn write_motion(&self, path: &Path) -> Result<(), String> {
         let (errors, method) = (self.errors(self.arguments.representation()), self.arguments.method());
-        let bar = bar("choosing keyframes");
+        let bar = work_bar("choosing keyframes");
         let choice =
             method.choose(&errors, self.arguments.count(), &mut |done, all| move_bar(&bar, done, all));
         bar.finish_and_clear();
@@ -68,8 +66,7 @@ impl Work<'_> {
         let Reduced { motion, misfits } = edit::reduced(self.motion, errors.clip(), &choice.keyframes);
         let more = self.write_reduced(path, &motion)?;
         warn(&self.title, &motion, &misfits);
-        say(&format!("{}: {}{more}", shown(path), self.summary(&errors, &choice)));
-        Ok(())
+        say(&format!("{}: {}{more}", shown(path), self.summary(&errors, &choice)))
     }
 
     /// Writes the motion in the format that the file's name says, and gives what else there is to say of it.
@@ -121,9 +118,9 @@ impl Work<'_> {
             ),
         ];
         let counts = [count(frames, "frame", "frames"), count(keyframes.len(), "keyframe", "keyframes")];
-        facts.iter().fold(format!("{}{why}\n", counts.join(", ")), |text, (name, fact)| {
-            text + &format!("  {name:<18} {fact}\n")
-        })
+        facts
+            .iter()
+            .fold(format!("{}{why}\n", counts.join(", ")), |text, (name, value)| text + &fact(name, value))
     }
 
     fn write_curves(&self) -> Result<(), String> {
@@ -134,19 +131,19 @@ impl Work<'_> {
             write_whole(path, |out| out.write_all(svg.as_bytes()))
                 .map_err(|error| not_written("picture", path, &error))?;
             let interpolated = count(euler.removed.len(), "interpolated frame", "interpolated frames");
-            say(&format!("{}: both curves, up to {interpolated}\n", shown(path)));
+            say(&format!("{}: both curves, up to {interpolated}\n", shown(path)))?;
         }
         if let Some(path) = self.arguments.csv() {
             write_whole(path, |out| edit::write_csv(&euler, &quaternions, out))
                 .map_err(|error| not_written("table", path, &error))?;
             let rows = count(euler.errors.len().max(quaternions.errors.len()), "row", "rows");
-            say(&format!("{}: {rows} of numbers\n", shown(path)));
+            say(&format!("{}: {rows} of numbers\n", shown(path)))?;
         }
         Ok(())
     }
 
     fn curve(&self, representation: Representation) -> Curve {
-        let bar = bar(&representation.to_string());
+        let bar = work_bar(&representation.to_string());
         let curve = curve(&self.errors(representation), self.arguments.count(), &mut |done, all| {
             move_bar(&bar, done, all);
             ControlFlow::Continue(())
@@ -162,11 +159,9 @@ fn significant(value: f64) -> String {
     number(value, digits.clamp(1, 5) as usize)
 }
 
-/// A bar in the terminal; nothing where there is none.
-fn bar(what: &str) -> ProgressBar {
-    let bar = ProgressBar::new(0);
-    let style = ProgressStyle::with_template("{bar:40} {msg}, {percent} %");
-    style.map_or(bar.clone(), |style| bar.with_style(style)).with_message(what.to_owned())
+/// A bar in the terminal for what is done.
+fn work_bar(what: &str) -> ProgressBar {
+    bar(0, "{bar:40} {msg}, {percent} %").with_message(what.to_owned())
 }
 
 fn move_bar(bar: &ProgressBar, done: usize, all: usize) {

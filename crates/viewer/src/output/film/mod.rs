@@ -17,6 +17,8 @@ use std::path::{Path, PathBuf};
 
 pub use pace::{fraction, hundredths};
 
+use parser::printable;
+
 use crate::draw::canvas::Canvas;
 use crate::output::beside::write_whole;
 
@@ -45,7 +47,7 @@ pub struct Frames {
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The file could not be written.
-    #[error("the film cannot be written to {}: {source}", path.display())]
+    #[error("the film cannot be written to {}: {source}", printable(&path.display().to_string()))]
     Write {
         /// The film's file.
         path: PathBuf,
@@ -53,7 +55,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A picture could not be drawn.
-    #[error("picture {index} of {} cannot be drawn: {source}", path.display())]
+    #[error("picture {index} of {} cannot be drawn: {source}", printable(&path.display().to_string()))]
     Draw {
         /// The film's file.
         path: PathBuf,

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 use parser::bvh::Writer;
-use skeleton::Motion;
+use skeleton::{Joint, Motion};
 
-use super::rows::{Rows, Turn};
+use super::rows::{Off, Rows, Turn};
 use super::{Tick, another_motion};
 use crate::motion::time_map::TimeMap;
 use crate::output::edit::{Misfit, turns};
@@ -39,7 +39,7 @@ pub fn write_joints(
         tick(index + 1);
     }
     writer.finish()?;
-    let misfit = |(joint, off): (&&skeleton::Joint, &Option<super::rows::Off>)| {
+    let misfit = |(joint, off): (&&Joint, &Option<Off>)| {
         let off = (*off)?;
         let channels = turns(joint).count();
         Some(Misfit { joint: joint.id, channels, degrees: off.degrees, frame: off.frame })
