@@ -16,10 +16,7 @@ use crate::view::blame::warp::{Blame, Case, blame, is_same_place};
 pub fn write(facts: &Facts, given: Option<usize>, place: Option<Between>, panel: &mut Panel) {
     let stage = facts.app.stage();
     let Some(map) = stage.warp() else { return };
-    let line = |part: usize| match facts.standing.is_some_and(|standing| standing.board.is_some()) {
-        true if facts.is_begun(part) => Line::Trouble,
-        _ => Line::Text,
-    };
+    let line = |part: usize| if is_known_begun(facts, part) { Line::Trouble } else { Line::Text };
     if !is_asked_whole(stage) {
         let why = match map {
             TimeMap::Stretch { .. } => "in a stretch only your part 2 is at work",
@@ -35,6 +32,20 @@ pub fn write(facts: &Facts, given: Option<usize>, place: Option<Between>, panel:
         let frames = if given == 1 { "frame" } else { "frames" };
         panel.add(line(2), format_args!("part 3 gives {given} {frames}, and {wanted} are wanted"));
     }
+}
+
+/// Whether the shown frame is none of those that part 3 gives.
+pub fn is_missing(facts: &Facts) -> bool {
+    let given = facts.posed.and_then(|posed| match posed.extra {
+        Extra::Warp { given, .. } => given,
+        _ => None,
+    });
+    given.is_some_and(|given| given <= facts.app.frame())
+}
+
+/// Whether it is known that a part (from 0) is begun: only then something is wrong with it.
+pub fn is_known_begun(facts: &Facts, part: usize) -> bool {
+    facts.standing.is_some_and(|standing| standing.board.is_some()) && facts.is_begun(part)
 }
 
 /// Everything about the joint that the user looks at.
@@ -55,14 +66,19 @@ pub fn write_joint(facts: &Facts, panel: &mut Panel) {
         panel.add(Line::Quiet, "yours: of your last version that worked");
     }
     let own_axes = stage.bones().map_or(glam::Quat::IDENTITY, |bones| bones.own_axes(id.0));
+    let is_missing = is_missing(facts);
+    let yours = |panel: &mut Panel, row: Row| match is_missing {
+        true => panel.add(Line::Key("yours"), "none: no such frame"),
+        false => panel.add(Line::Key("yours"), row),
+    };
     panel.add(Line::Text, "rotation (x, y, z, w)");
-    panel.add(Line::Key("yours"), Row(&(given.rotation * own_axes).to_array(), 4));
+    yours(panel, Row(&(given.rotation * own_axes).to_array(), 4));
     panel.add(Line::Key("expected"), Row(&(right.rotation * own_axes).to_array(), 4));
     panel.add(
         Line::Text,
         if joint.is_end_site { "end, in the file's units" } else { "start, in the file's units" },
     );
-    panel.add(Line::Key("yours"), Row(&given.position.to_array(), digits));
+    yours(panel, Row(&given.position.to_array(), digits));
     panel.add(Line::Key("expected"), Row(&right.position.to_array(), digits));
     let off = given.position.distance(right.position);
     if Off::by(off / stage.size()) > Off::Right && off.is_finite() {
@@ -79,15 +95,14 @@ pub fn write_joint(facts: &Facts, panel: &mut Panel) {
 
 /// Which part is to blame.
 fn verdict(facts: &Facts, joint: JointId, panel: &mut Panel) {
-    let (Some(pose), Some(Extra::Warp { given, place })) =
-        (facts.solid, facts.posed.map(|posed| &posed.extra))
+    let (Some(pose), Some(Extra::Warp { place, .. })) = (facts.solid, facts.posed.map(|posed| &posed.extra))
     else {
         return;
     };
     let stage = facts.app.stage();
     let Some(map) = stage.warp() else { return };
     let frame = facts.app.frame();
-    if given.is_some_and(|given| given <= frame) {
+    if is_missing(facts) {
         let line = if facts.is_begun(2) { Line::Trouble } else { Line::Quiet };
         return panel.add(line, "part 3 gives no such frame");
     }

@@ -6,6 +6,7 @@ mod changes;
 mod editing;
 mod sister;
 mod texts;
+mod warped;
 
 use skeleton::{FkFunctions, PositionChannels};
 

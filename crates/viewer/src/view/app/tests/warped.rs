@@ -1,0 +1,67 @@
+//! The exercise on time warping.
+
+use exam::{Functions, InProcess};
+use grading::PartState::{NotStarted, Right, Wrong};
+use grading::time_warp::TEMPLATE;
+use skeleton::acclaim::TimeWarpFunctions;
+
+use super::*;
+use crate::motion::time_map::TimeMap;
+
+/// The walk with twice as many frames.
+fn walk(frame: usize) -> App {
+    let map = TimeMap::Whole { old: 480, new: 960 };
+    let mut app = App::new(Arc::new(samples::walk().warped(map)), "walk.amc".into(), Vec::new(), SIZE);
+    app.go_to(frame);
+    app
+}
+
+fn scene(app: &mut App, functions: TimeWarpFunctions, states: [grading::PartState; 3]) -> Scene {
+    let mut subject = InProcess(Functions::TimeWarp(functions));
+    let mut recorded = Recorded::ask(Mover::TimeWarp, &mut subject, &app.stage, [app.frame()]);
+    recorded.ask_details(&mut subject, &app.stage, app.frame());
+    recorded.standing.board = board(states);
+    app.scene(Shown::Student(&recorded), SIZE)
+}
+
+fn lines_of_trouble(scene: &Scene) -> usize {
+    let lines = scene.panels.iter().flat_map(|panel| panel.lines());
+    lines.filter(|(line, _)| *line == Line::Trouble).count()
+}
+
+#[test]
+fn frames_that_part_3_does_not_give_are_not_told_as_numbers_that_are_none() {
+    let missing = "your part 3 gives no such frame: not drawn";
+    for frame in [480, 959] {
+        let mut app = walk(frame);
+        app.select(Some(1));
+        let template = scene(&mut app, TEMPLATE, [NotStarted; 3]);
+        let said = words(&template);
+        assert!(said.contains(missing) && said.contains("part 3 gives 480 frames"), "{said}");
+        assert!(said.contains("yours none: no such frame") && !said.contains("NaN"), "{said}");
+        assert_eq!(lines_of_trouble(&template), 0, "nothing is wrong with what is not begun: {said}");
+        let begun = scene(&mut app, TEMPLATE, [Right, Right, Wrong]);
+        assert!(words(&begun).contains(missing) && lines_of_trouble(&begun) > 0, "{}", words(&begun));
+    }
+    let given = scene(&mut walk(479), TEMPLATE, [NotStarted; 3]);
+    assert!(!words(&given).contains(missing), "{}", words(&given));
+}
+
+#[test]
+fn numbers_that_are_none_are_told() {
+    let nan = TimeWarpFunctions {
+        blend: |from, _, _| {
+            let mut posture = from.clone();
+            posture.translations[0].x = f32::NAN;
+            posture
+        },
+        warp: |postures, new_count| {
+            let mut posture = postures[0].clone();
+            posture.translations[0].x = f32::NAN;
+            vec![posture; new_count]
+        },
+        ..solutions::TIME_WARP
+    };
+    let said = words(&scene(&mut walk(900), nan, [Right, Wrong, Right]));
+    assert!(said.contains("NaN or infinity as the place of 38 of your 38 joints"), "{said}");
+}
