@@ -1,7 +1,7 @@
 //! What a student's functions make of a warped motion.
 
-use skeleton::JointId;
 use skeleton::acclaim::Between;
+use skeleton::{JointId, Transform};
 
 use super::Facts;
 use super::number::{Rounded, Row, digits_for};
@@ -59,27 +59,30 @@ pub fn write_joint(facts: &Facts, panel: &mut Panel) {
         _ => panel.add(Line::Heading, &joint.name),
     }
     let given = facts.solid.and_then(|pose| pose.transforms().get(id.0));
-    let (Some(given), Some(right)) = (given, facts.reference.transforms().get(id.0)) else { return };
+    let Some(right) = facts.reference.transforms().get(id.0) else { return };
     let (current, digits) =
         (facts.standing.is_some_and(|standing| standing.current), digits_for(stage.size()));
-    if !current {
+    if given.is_some() && !current {
         panel.add(Line::Quiet, "yours: of your last version that worked");
     }
     let own_axes = stage.bones().map_or(glam::Quat::IDENTITY, |bones| bones.own_axes(id.0));
     let is_missing = is_missing(facts);
-    let yours = |panel: &mut Panel, row: Row| match is_missing {
-        true => panel.add(Line::Key("yours"), "none: no such frame"),
-        false => panel.add(Line::Key("yours"), row),
+    let row = |panel: &mut Panel, yours: Option<&[f32]>, right: &[f32], digits: usize| {
+        match yours {
+            Some(_) if is_missing => panel.add(Line::Key("yours"), "none: no such frame"),
+            Some(yours) => panel.add(Line::Key("yours"), Row(yours, digits)),
+            None => {}
+        }
+        panel.add(Line::Key("expected"), Row(right, digits));
     };
+    let rotation = |transform: &Transform| (transform.rotation * own_axes).to_array();
+    let place = if joint.is_end_site { "end, in the file's units" } else { "start, in the file's units" };
     panel.add(Line::Text, "rotation (x, y, z, w)");
-    yours(panel, Row(&(given.rotation * own_axes).to_array(), 4));
-    panel.add(Line::Key("expected"), Row(&(right.rotation * own_axes).to_array(), 4));
-    panel.add(
-        Line::Text,
-        if joint.is_end_site { "end, in the file's units" } else { "start, in the file's units" },
-    );
-    yours(panel, Row(&given.position.to_array(), digits));
-    panel.add(Line::Key("expected"), Row(&right.position.to_array(), digits));
+    row(panel, given.map(rotation).as_ref().map(|own| &own[..]), &rotation(right), 4);
+    panel.add(Line::Text, place);
+    let position = |transform: &Transform| transform.position.to_array();
+    row(panel, given.map(position).as_ref().map(|own| &own[..]), &position(right), digits);
+    let Some(given) = given else { return };
     let off = given.position.distance(right.position);
     if Off::by(off / stage.size()) > Off::Right && off.is_finite() {
         let percent = Rounded(f64::from(off / stage.size()) * 100.0);

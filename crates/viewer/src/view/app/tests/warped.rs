@@ -65,3 +65,11 @@ fn numbers_that_are_none_are_told() {
     let said = words(&scene(&mut walk(900), nan, [Right, Wrong, Right]));
     assert!(said.contains("NaN or infinity as the place of 38 of your 38 joints"), "{said}");
 }
+
+#[test]
+fn before_there_is_an_answer_a_bone_is_told_as_it_should_be() {
+    let mut app = walk(0);
+    app.select(Some(1));
+    let said = words(&app.scene(Shown::Student(&Recorded::new(Mover::TimeWarp, Status::Compiling)), SIZE));
+    assert!(said.contains("lhipjoint") && said.contains("expected ") && !said.contains("yours"), "{said}");
+}
