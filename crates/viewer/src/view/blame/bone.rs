@@ -32,8 +32,8 @@ pub struct Case<'a> {
 pub enum Blame {
     /// Nobody's: the bone is right.
     Nobody,
-    /// Nobody's: the bone is in its place, and so are all above it, but its rotation is another than expected. It is
-    /// counted from the rest pose, or it is not.
+    /// Nobody's: the bone has a length and is in its place, and so are all above it, but its rotation is another than
+    /// expected. It is counted from the rest pose, or it is not.
     InPlace {
         /// Whether it is.
         from_rest: bool,
@@ -116,7 +116,12 @@ fn in_order(bone: &Bone, angles: [f32; 3]) -> Quat {
 pub fn blame(case: &Case, bone: BoneId) -> Blame {
     let chain = || std::iter::successors(case.skeleton.get(bone), |bone| case.skeleton.get(bone.parent?));
     if chain().all(|bone| case.is_in_place(bone.id)) {
-        return case.rotation_of_one_in_place(bone);
+        let found = case.rotation_of_one_in_place(bone);
+        // A bone without length, such as the root, is in its place however it is turned.
+        let has_length = case.skeleton.get(bone).is_some_and(|bone| bone.length > 0.0);
+        if has_length || found != (Blame::InPlace { from_rest: false }) {
+            return found;
+        }
     }
     for judged in chain() {
         match case.own(judged) {

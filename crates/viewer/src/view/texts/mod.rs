@@ -150,7 +150,7 @@ pub fn panels(facts: &Facts, panels: &mut Pool<Panel>) -> Option<usize> {
     // A figure that is covered by words is of no use.
     let (room, roomy) = (facts.has_room(300.0, 300.0), facts.is_roomy());
     if let Some(corner) = facts.corner_for_points().filter(|_| settings.points) {
-        points::write(facts, corner == Corner::BottomRight, begin(panels, corner));
+        points::write(facts, corner != Corner::TopRight, begin(panels, corner));
     }
     if facts.app.selected().is_some() && room {
         let panel = begin(panels, Corner::TopRight);

@@ -127,6 +127,10 @@ fn undrawn(facts: &Facts, panel: &mut Panel) {
         Shown::Reference => "the",
         Shown::Student(_) => "your",
     };
+    if warped::is_missing(facts) {
+        let line = if warped::is_known_begun(facts, 2) { Line::Trouble } else { Line::Text };
+        return panel.add(line, "your part 3 gives no such frame: not drawn");
+    }
     let (joints, outside) = (pose.len(), facts.outside);
     if outside > 0 {
         panel.add(

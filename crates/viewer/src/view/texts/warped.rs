@@ -1,7 +1,7 @@
 //! What a student's functions make of a warped motion.
 
-use skeleton::JointId;
 use skeleton::acclaim::Between;
+use skeleton::{JointId, Transform};
 
 use super::Facts;
 use super::number::{Rounded, Row, digits_for};
@@ -16,10 +16,7 @@ use crate::view::blame::warp::{Blame, Case, blame, is_same_place};
 pub fn write(facts: &Facts, given: Option<usize>, place: Option<Between>, panel: &mut Panel) {
     let stage = facts.app.stage();
     let Some(map) = stage.warp() else { return };
-    let line = |part: usize| match facts.standing.is_some_and(|standing| standing.board.is_some()) {
-        true if facts.is_begun(part) => Line::Trouble,
-        _ => Line::Text,
-    };
+    let line = |part: usize| if is_known_begun(facts, part) { Line::Trouble } else { Line::Text };
     if !is_asked_whole(stage) {
         let why = match map {
             TimeMap::Stretch { .. } => "in a stretch only your part 2 is at work",
@@ -37,6 +34,20 @@ pub fn write(facts: &Facts, given: Option<usize>, place: Option<Between>, panel:
     }
 }
 
+/// Whether the shown frame is none of those that part 3 gives.
+pub fn is_missing(facts: &Facts) -> bool {
+    let given = facts.posed.and_then(|posed| match posed.extra {
+        Extra::Warp { given, .. } => given,
+        _ => None,
+    });
+    given.is_some_and(|given| given <= facts.app.frame())
+}
+
+/// Whether it is known that a part (from 0) is begun: only then something is wrong with it.
+pub fn is_known_begun(facts: &Facts, part: usize) -> bool {
+    facts.standing.is_some_and(|standing| standing.board.is_some()) && facts.is_begun(part)
+}
+
 /// Everything about the joint that the user looks at.
 pub fn write_joint(facts: &Facts, panel: &mut Panel) {
     let Some(id) = facts.app.selected().map(JointId) else { return };
@@ -48,22 +59,30 @@ pub fn write_joint(facts: &Facts, panel: &mut Panel) {
         _ => panel.add(Line::Heading, &joint.name),
     }
     let given = facts.solid.and_then(|pose| pose.transforms().get(id.0));
-    let (Some(given), Some(right)) = (given, facts.reference.transforms().get(id.0)) else { return };
+    let Some(right) = facts.reference.transforms().get(id.0) else { return };
     let (current, digits) =
         (facts.standing.is_some_and(|standing| standing.current), digits_for(stage.size()));
-    if !current {
+    if given.is_some() && !current {
         panel.add(Line::Quiet, "yours: of your last version that worked");
     }
     let own_axes = stage.bones().map_or(glam::Quat::IDENTITY, |bones| bones.own_axes(id.0));
+    let is_missing = is_missing(facts);
+    let row = |panel: &mut Panel, yours: Option<&[f32]>, right: &[f32], digits: usize| {
+        match yours {
+            Some(_) if is_missing => panel.add(Line::Key("yours"), "none: no such frame"),
+            Some(yours) => panel.add(Line::Key("yours"), Row(yours, digits)),
+            None => {}
+        }
+        panel.add(Line::Key("expected"), Row(right, digits));
+    };
+    let rotation = |transform: &Transform| (transform.rotation * own_axes).to_array();
+    let place = if joint.is_end_site { "end, in the file's units" } else { "start, in the file's units" };
     panel.add(Line::Text, "rotation (x, y, z, w)");
-    panel.add(Line::Key("yours"), Row(&(given.rotation * own_axes).to_array(), 4));
-    panel.add(Line::Key("expected"), Row(&(right.rotation * own_axes).to_array(), 4));
-    panel.add(
-        Line::Text,
-        if joint.is_end_site { "end, in the file's units" } else { "start, in the file's units" },
-    );
-    panel.add(Line::Key("yours"), Row(&given.position.to_array(), digits));
-    panel.add(Line::Key("expected"), Row(&right.position.to_array(), digits));
+    row(panel, given.map(rotation).as_ref().map(|own| &own[..]), &rotation(right), 4);
+    panel.add(Line::Text, place);
+    let position = |transform: &Transform| transform.position.to_array();
+    row(panel, given.map(position).as_ref().map(|own| &own[..]), &position(right), digits);
+    let Some(given) = given else { return };
     let off = given.position.distance(right.position);
     if Off::by(off / stage.size()) > Off::Right && off.is_finite() {
         let percent = Rounded(f64::from(off / stage.size()) * 100.0);
@@ -79,15 +98,14 @@ pub fn write_joint(facts: &Facts, panel: &mut Panel) {
 
 /// Which part is to blame.
 fn verdict(facts: &Facts, joint: JointId, panel: &mut Panel) {
-    let (Some(pose), Some(Extra::Warp { given, place })) =
-        (facts.solid, facts.posed.map(|posed| &posed.extra))
+    let (Some(pose), Some(Extra::Warp { place, .. })) = (facts.solid, facts.posed.map(|posed| &posed.extra))
     else {
         return;
     };
     let stage = facts.app.stage();
     let Some(map) = stage.warp() else { return };
     let frame = facts.app.frame();
-    if given.is_some_and(|given| given <= frame) {
+    if is_missing(facts) {
         let line = if facts.is_begun(2) { Line::Trouble } else { Line::Quiet };
         return panel.add(line, "part 3 gives no such frame");
     }

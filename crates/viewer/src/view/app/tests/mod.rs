@@ -7,6 +7,7 @@ mod editing;
 mod sister;
 mod texts;
 mod warped;
+mod warped_blame;
 
 use skeleton::{FkFunctions, PositionChannels};
 

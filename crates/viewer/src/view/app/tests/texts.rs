@@ -147,3 +147,21 @@ fn a_picture_speaks_of_no_window_and_of_no_keys() {
     );
     assert!(["window", "paused", "help"].iter().all(|word| !picture.contains(word)), "{picture}");
 }
+
+#[test]
+fn in_a_small_window_points_leave_out_hints() {
+    let mut app = app(5);
+    let mut answers = answers(&app, STUB);
+    let (title, why, hint) = ("You turn it the wrong way.", "Why.", "Look for a minus sign.");
+    let named = grading::Named { id: "wrong_way", title, explanation: why, hint, seen_in: &[] };
+    let state = grading::PartState::Wrong;
+    let row = BoardRow { id: "part", title: "title", points: 0, of: 5, state, named: vec![named] };
+    let (title, text, summary) = (String::new(), String::new(), String::new());
+    answers.standing.board =
+        Some(Arc::new(Board { title, rows: [row].into(), points: 0, of: 15, text, summary }));
+    for (size, has_hint) in [((800, 500), true), ((640, 480), false)] {
+        let said = words(&app.scene(Shown::Student(&answers), size));
+        assert!(said.contains(named.title), "{said}");
+        assert_eq!(said.contains("Hint: "), has_hint, "{size:?}: {said}");
+    }
+}

@@ -1,71 +1,75 @@
-//! Whom a student's warped motion is told to blame.
+//! The exercise on time warping.
 
 use exam::{Functions, InProcess};
-use skeleton::acclaim::{Between, Posture, TimeWarpFunctions};
+use grading::PartState::{NotStarted, Right, Wrong};
+use grading::time_warp::TEMPLATE;
+use skeleton::acclaim::TimeWarpFunctions;
 
 use super::*;
 use crate::motion::time_map::TimeMap;
 
-const RIGHT: TimeWarpFunctions = solutions::TIME_WARP;
-
-/// What is said of the upper arm in frame `frame` of the walk, warped by `map`.
-fn said(functions: TimeWarpFunctions, map: TimeMap, frame: usize) -> String {
-    words(&scene(functions, map, frame))
-}
-
-fn scene(functions: TimeWarpFunctions, map: TimeMap, frame: usize) -> Scene {
+/// The walk with twice as many frames.
+fn walk(frame: usize) -> App {
+    let map = TimeMap::Whole { old: 480, new: 960 };
     let mut app = App::new(Arc::new(samples::walk().warped(map)), "walk.amc".into(), Vec::new(), SIZE);
     app.go_to(frame);
-    let joints = app.stage.motion().skeleton().joints();
-    app.selected = joints.iter().position(|joint| joint.name == "lhumerus");
+    app
+}
+
+fn scene(app: &mut App, functions: TimeWarpFunctions, states: [grading::PartState; 3]) -> Scene {
     let mut subject = InProcess(Functions::TimeWarp(functions));
-    let all = 0..app.stage.frame_count().min(2000);
-    let mut recorded = Recorded::ask(Mover::TimeWarp, &mut subject, &app.stage, all);
-    recorded.ask_details(&mut subject, &app.stage, frame);
+    let mut recorded = Recorded::ask(Mover::TimeWarp, &mut subject, &app.stage, [app.frame()]);
+    recorded.ask_details(&mut subject, &app.stage, app.frame());
+    recorded.standing.board = board(states);
     app.scene(Shown::Student(&recorded), SIZE)
 }
 
-/// Three frames late.
-fn late(new_frame: usize, old_count: usize, new_count: usize) -> Between {
-    (RIGHT.old_position)(new_frame.saturating_sub(3), old_count, new_count)
+fn lines_of_trouble(scene: &Scene) -> usize {
+    let lines = scene.panels.iter().flat_map(|panel| panel.lines());
+    lines.filter(|(line, _)| *line == Line::Trouble).count()
 }
 
-fn warp_late(old: &[Posture], new: usize) -> Vec<Posture> {
-    let frame = |index| {
-        let Between { before, after, t } = late(index, old.len(), new);
-        (RIGHT.blend)(&old[before], &old[after], t)
+#[test]
+fn frames_that_part_3_does_not_give_are_not_told_as_numbers_that_are_none() {
+    let missing = "your part 3 gives no such frame: not drawn";
+    for frame in [480, 959] {
+        let mut app = walk(frame);
+        app.select(Some(1));
+        let template = scene(&mut app, TEMPLATE, [NotStarted; 3]);
+        let said = words(&template);
+        assert!(said.contains(missing) && said.contains("part 3 gives 480 frames"), "{said}");
+        assert!(said.contains("yours none: no such frame") && !said.contains("NaN"), "{said}");
+        assert_eq!(lines_of_trouble(&template), 0, "nothing is wrong with what is not begun: {said}");
+        let begun = scene(&mut app, TEMPLATE, [Right, Right, Wrong]);
+        assert!(words(&begun).contains(missing) && lines_of_trouble(&begun) > 0, "{}", words(&begun));
+    }
+    let given = scene(&mut walk(479), TEMPLATE, [NotStarted; 3]);
+    assert!(!words(&given).contains(missing), "{}", words(&given));
+}
+
+#[test]
+fn numbers_that_are_none_are_told() {
+    let nan = TimeWarpFunctions {
+        blend: |from, _, _| {
+            let mut posture = from.clone();
+            posture.translations[0].x = f32::NAN;
+            posture
+        },
+        warp: |postures, new_count| {
+            let mut posture = postures[0].clone();
+            posture.translations[0].x = f32::NAN;
+            vec![posture; new_count]
+        },
+        ..solutions::TIME_WARP
     };
-    (0..new).map(frame).collect()
+    let said = words(&scene(&mut walk(900), nan, [Right, Wrong, Right]));
+    assert!(said.contains("NaN or infinity as the place of 38 of your 38 joints"), "{said}");
 }
 
 #[test]
-fn a_late_part_1_is_to_blame_in_every_frame_of_a_long_motion() {
-    let functions = TimeWarpFunctions { old_position: late, warp: warp_late, ..RIGHT };
-    for frame in [600, 601, 602] {
-        let said = said(functions, TimeMap::Whole { old: 480, new: 1200 }, frame);
-        assert!(said.contains("part 1 is to blame"), "{frame}: {said}");
-        assert!(!said.contains("part 3 is to blame"), "{frame}: {said}");
-    }
-}
-
-#[test]
-fn the_mark_stays_on_the_curve_of_part_1_in_every_frame_of_a_long_motion() {
-    let functions = TimeWarpFunctions { old_position: late, warp: warp_late, ..RIGHT };
-    for frame in [600, 601, 602] {
-        let scene = scene(functions, TimeMap::Whole { old: 480, new: 1200 }, frame);
-        let (_, height) = scene.plot.unwrap().mark.unwrap();
-        let own = (frame - 3) as f32 * 0.4 / 479.0;
-        assert!((height - own).abs() < 1e-3, "{frame}: {height} instead of {own}");
-    }
-}
-
-#[test]
-fn where_only_part_2_is_at_work_no_other_is_to_blame() {
-    let still = |from: &Posture, _: &Posture, _: f32| from.clone();
-    let functions = TimeWarpFunctions { blend: still, old_position: late, ..RIGHT };
-    for map in [TimeMap::stretch(480, (100, 160), 200).unwrap(), TimeMap::Whole { old: 480, new: 100_000 }] {
-        let said = said(functions, map, 199);
-        assert!(said.contains("part 2 is to blame"), "{map:?}: {said}");
-        assert!(!said.contains("part 1 is") && !said.contains("part 3 is"), "{map:?}: {said}");
-    }
+fn before_there_is_an_answer_a_bone_is_told_as_it_should_be() {
+    let mut app = walk(0);
+    app.select(Some(1));
+    let said = words(&app.scene(Shown::Student(&Recorded::new(Mover::TimeWarp, Status::Compiling)), SIZE));
+    assert!(said.contains("lhipjoint") && said.contains("expected ") && !said.contains("yours"), "{said}");
 }

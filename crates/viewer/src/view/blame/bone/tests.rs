@@ -179,6 +179,18 @@ fn a_bone_that_is_in_its_place_is_not_blamed_for_being_turned_about_its_own_leng
 }
 
 #[test]
+fn a_root_that_is_turned_wrongly_is_blamed_though_it_is_in_its_place() {
+    let stiff_root = AcclaimFunctions {
+        bone_rotation: |bone, angles, parent| {
+            (RIGHT.bone_rotation)(bone, if bone.parent.is_none() { [0.0; 3] } else { angles }, parent)
+        },
+        ..RIGHT
+    };
+    assert_eq!(judge(stiff_root, "root"), PART_1);
+    assert_eq!(judge(stiff_root, "lhipjoint"), Blame::Above(id("root")));
+}
+
+#[test]
 fn what_is_no_number_is_the_fault_of_the_part_that_made_it() {
     let nan = AcclaimFunctions { bone_ends: |_, _, _, _| (Vec3::NAN, Vec3::NAN), ..RIGHT };
     assert_eq!(judge(nan, "root"), Blame::Own(Wrong { rotation: false, start: true, end: true }));
