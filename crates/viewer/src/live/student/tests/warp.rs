@@ -169,8 +169,8 @@ fn part_1_is_asked_by_itself_where_part_3_makes_the_motion() {
 }
 
 /// The plan of a pair after frame 7 of the warped motion was asked while it was on show, and the task that this was.
-fn plan_at_7() -> (plan::Plan, plan::Motion) {
-    let mut plan = plan::Plan::new(Mover::TimeWarp, pair(whole(960)), most_batches);
+fn plan_at_7() -> (Plan, plan::Motion) {
+    let mut plan = Plan::new(Mover::TimeWarp, pair(whole(960)), most_batches);
     plan.motions[1].shown = 7;
     let Some(plan::Task::Frames { at, frames, on_show: true }) = plan.next(false) else { panic!() };
     assert_eq!((at.index, frames), (1, 7..8));
