@@ -214,7 +214,7 @@ impl Work {
 
     /// Sends what is known about a frame that fails.
     fn show(&mut self, at: Motion, frame: usize, failure: &Failure, place: Place) -> Arc<Trouble> {
-        let trouble = Arc::new(narrow::trouble(self.mover, frame, failure, place));
+        let trouble = Arc::new(narrow::trouble(self.mover, &at.stage, frame, failure, place));
         self.send(Event::Trouble(at, frame, Arc::clone(&trouble)));
         self.tell_of_giving_up(Trouble::clone(&trouble));
         trouble

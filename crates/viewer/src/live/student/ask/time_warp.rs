@@ -60,7 +60,11 @@ pub(in crate::live::student) fn poses(
 
 /// Where part 1 says the frames are: some of them, and a single one in any case. Where it fails nothing is known: part 3 need
 /// not call it.
-fn places(subject: &mut impl Subject, map: &TimeMap, frames: Range<usize>) -> Vec<Option<Between>> {
+pub(in crate::live::student) fn places(
+    subject: &mut impl Subject,
+    map: &TimeMap,
+    frames: Range<usize>,
+) -> Vec<Option<Between>> {
     let (old_count, new_count) = (map.old_count(), map.frame_count());
     let step = if frames.len() == 1 { 1 } else { new_count.div_ceil(MOST_PLACES).max(1) };
     let asked: Vec<usize> = frames.clone().filter(|index| index % step == 0).collect();

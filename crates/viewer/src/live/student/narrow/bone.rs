@@ -20,7 +20,9 @@ pub(super) fn find(subject: &mut impl Subject, stage: &Stage, index: usize, fail
     let mut search = Search { subject, bones, failure };
     match search.visits(BoneId::ROOT) {
         Ok(visits) => search.turned_or_placed(&visits, &stage.posture(index)),
-        Err(true) => Place { at: search.visited().map(|bone| search.name(bone)), part: Some(2) },
+        Err(true) => {
+            Place { at: search.visited().map(|bone| search.name(bone)), part: Some(2), ..Place::default() }
+        }
         Err(false) => Place::default(),
     }
 }
@@ -90,7 +92,9 @@ impl<S: Subject> Search<'_, S> {
             let parent = bone.parent.and_then(|parent| places[parent.0]);
             match self.place(bone, Given::new(bone, posture, parent)) {
                 Ok(place) => places[bone.id.0] = Some(place),
-                Err(Some(part)) => return Place { at: Some(self.name(bone.id)), part: Some(part) },
+                Err(Some(part)) => {
+                    return Place { at: Some(self.name(bone.id)), part: Some(part), ..Place::default() };
+                }
                 Err(None) => return Place::default(),
             }
         }

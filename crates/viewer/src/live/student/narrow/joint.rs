@@ -16,7 +16,7 @@ pub(super) fn find(subject: &mut impl Subject, stage: &Stage, index: usize, fail
     let frame = stage.frame(index);
     let Some(joint) = joint(subject, stage, &frame, failure) else { return Place::default() };
     let at = format!("joint {}", short(&stage.motion().skeleton().label(joint)));
-    Place { at: Some(at), part: part(subject, stage, &frame, joint, failure) }
+    Place { at: Some(at), part: part(subject, stage, &frame, joint, failure), ..Place::default() }
 }
 
 /// The first joint at which it fails.

@@ -17,6 +17,8 @@ pub(super) struct Place {
     pub(super) at: Option<String>,
     /// The part, from 0, in which it happens.
     pub(super) part: Option<usize>,
+    /// What another part does that it may come from.
+    pub(super) cause: Option<String>,
 }
 
 /// What is wrong with frame `index`, which fails as `failure` says, and where.
@@ -28,7 +30,7 @@ pub(crate) fn explain(
     failure: &Failure,
 ) -> Trouble {
     let place = find(mover, subject, stage, index, failure);
-    trouble(mover, index, failure, place)
+    trouble(mover, stage, index, failure, place)
 }
 
 /// Finds the place at which frame `index` fails as `failure` says. What is not the same each time is not told.
@@ -51,14 +53,18 @@ fn same_kind(one: &Failure, other: &Failure) -> bool {
 }
 
 /// What is told of frame `index`, in words for the student.
-pub(super) fn trouble(mover: Mover, index: usize, failure: &Failure, place: Place) -> Trouble {
+pub(super) fn trouble(mover: Mover, stage: &Stage, index: usize, failure: &Failure, place: Place) -> Trouble {
     let mut trouble = Trouble::from(failure.clone());
     let at = place.at.map(|at| format!("at {at}, ")).unwrap_or_default();
-    trouble.details.push(format!("{at}in frame {index}"));
+    trouble.details.push(match mover.is_asked_whole(stage) {
+        true => format!("{at}while all {} frames were made", stage.frame_count()),
+        false => format!("{at}in frame {index}"),
+    });
     let parts = mover.package().exercise().rubric.parts;
     if let Some(part) = place.part.and_then(|part| parts.get(part)) {
         trouble.details.push(format!("in {}, {}", part.id, part.function));
     }
+    trouble.details.extend(place.cause);
     trouble
 }
 

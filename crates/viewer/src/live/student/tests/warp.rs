@@ -108,12 +108,30 @@ fn a_panic_is_told_with_its_part() {
         update_until(&mut student, &[0, 7], |student| with_part(student).is_some());
         let trouble = with_part(&student).unwrap();
         assert!(trouble.headline.contains("not part "), "{trouble:?}");
-        assert_eq!(trouble.details, ["in frame 7", part]);
+        assert_eq!(trouble.details, ["while all 960 frames were made", part]);
         // All frames fail with it, and each is told when it is shown.
         update_until(&mut student, &[0, 700], |student| {
             super::trouble(student, 1, 700).is_some_and(|trouble| trouble.details.len() > 1)
         });
     }
+}
+
+#[test]
+fn a_frame_that_part_1_names_and_that_is_not_there_is_told_as_the_cause() {
+    fn behind(new_frame: usize, old: usize, new: usize) -> Between {
+        let Between { before, t, .. } = (solutions::TIME_WARP.old_position)(new_frame, old, new);
+        Between { before, after: before + 1, t }
+    }
+    let warp = |postures: &[Posture], new: usize| {
+        let frame = |index| postures[behind(index, postures.len(), new).after].clone();
+        (0..new).map(frame).collect()
+    };
+    let functions = TimeWarpFunctions { old_position: behind, warp, ..solutions::TIME_WARP };
+    let mut student = student(functions, whole(960));
+    let with_cause = |student: &Student| trouble(student, 1, 7).filter(|trouble| trouble.details.len() > 2);
+    update_until(&mut student, &[0, 7], |student| with_cause(student).is_some());
+    let cause = "part 1 names frame 480 for the new frame 958, and the last old frame is 479";
+    assert_eq!(with_cause(&student).unwrap().details[2], cause);
 }
 
 #[test]
