@@ -28,7 +28,7 @@ pub fn write(motion: &Motion, out: impl Write) -> io::Result<()> {
     writer.finish()
 }
 
-/// Writes a motion as BVH row by row, as [`write`] does: for one that is never in memory as a whole.
+/// Writes a motion as BVH row by row, as [`write()`] does: for one that is never in memory as a whole.
 #[derive(Debug)]
 pub struct Writer<W: Write> {
     out: io::BufWriter<W>,
