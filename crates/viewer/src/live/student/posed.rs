@@ -31,6 +31,8 @@ pub enum Extra {
         given: Option<usize>,
         /// Where part 1 says the frame is, where it was asked.
         place: Option<Between>,
+        /// How many bones the posture is of, where these are not as many as there are.
+        bones: Option<usize>,
     },
 }
 

@@ -41,8 +41,8 @@ pub fn write(facts: &Facts, panel: &mut Panel) {
     match facts.posed.filter(|_| facts.standing.is_none_or(|standing| standing.current)) {
         Some(Posed { extra: Extra::Angles { taken, available }, .. }) => angles(*taken, *available, panel),
         Some(Posed { extra: Extra::Bones(places), .. }) => bones::visited(facts, places, panel),
-        Some(Posed { extra: Extra::Warp { given, place }, .. }) => {
-            warped::write(facts, *given, *place, panel)
+        Some(Posed { extra: Extra::Warp { given, place, bones }, .. }) => {
+            warped::write(facts, (*given, *place, *bones), panel)
         }
         None => {}
     }

@@ -11,12 +11,24 @@ use crate::motion::time_map::{TimeMap, position_of};
 use crate::scene::{Line, Off, Panel};
 use crate::view::blame::warp::{Blame, Case, blame, is_same_place};
 
-/// Where part 1 says the frame is, and how many frames part 3 gives, where that is not right. Before they are begun nothing
-/// is wrong with that.
-pub fn write(facts: &Facts, given: Option<usize>, place: Option<Between>, panel: &mut Panel) {
+/// Where part 1 says the frame is, how many frames part 3 gives, and of how many bones the posture is, where that is not right.
+/// Before they are begun nothing is wrong with that.
+pub fn write(
+    facts: &Facts,
+    (given, place, bones): (Option<usize>, Option<Between>, Option<usize>),
+    panel: &mut Panel,
+) {
     let stage = facts.app.stage();
     let Some(map) = stage.warp() else { return };
     let line = |part: usize| if is_known_begun(facts, part) { Line::Trouble } else { Line::Text };
+    if let (Some(count), Some(all)) = (bones, stage.bones()) {
+        let all = all.motion().skeleton().len();
+        let bones = if count == 1 { "bone" } else { "bones" };
+        panel.add(
+            Line::Trouble,
+            format_args!("the posture has angles or translations of {count} {bones}, and there are {all}"),
+        );
+    }
     if !is_asked_whole(stage) {
         let why = match map {
             TimeMap::Stretch { .. } => "in a stretch only your part 2 is at work",

@@ -38,23 +38,21 @@ pub(in crate::live::student) fn poses(
 ) -> Result<Vec<Posed>, Failure> {
     let (Some(bones), Some(map)) = (stage.bones(), stage.warp()) else {
         let joints = stage.motion().skeleton().len();
-        let nothing = || Extra::Warp { given: None, place: None };
+        let nothing = || Extra::Warp { given: None, place: None, bones: None };
         return Ok(frames.map(|_| Posed { pose: Bones::nowhere(joints), extra: nothing() }).collect());
     };
     if !is_asked_whole(stage) {
         let places: Vec<Between> = frames.map(|index| map.place(index)).collect();
         let postures = blends(subject, bones, &places, limit)?;
-        let posed = |posture: &Posture| posed(bones, Some(posture), Extra::Warp { given: None, place: None });
-        return Ok(postures.iter().map(posed).collect());
+        return Ok(postures.iter().map(|posture| posed(bones, Some(posture), None, None)).collect());
     }
     let old = bones.motion();
     let postures = (0..old.frame_count()).map(|index| old.posture(index)).collect();
     let question = WarpQuestion::Motion { postures, new_count: map.frame_count() };
     let WarpAnswer::Motion(warped) = put(subject, question, limit)? else { return Err(unfit()) };
     let places = places(subject, &map, frames.clone());
-    let posed = |(index, place): (usize, Option<Between>)| {
-        posed(bones, warped.get(index), Extra::Warp { given: Some(warped.len()), place })
-    };
+    let posed =
+        |(index, place): (usize, Option<Between>)| posed(bones, warped.get(index), Some(warped.len()), place);
     Ok(frames.zip(places).map(posed).collect())
 }
 
@@ -128,9 +126,13 @@ pub(in crate::live::student) fn details(
     Ok(Details::Blended { right, place, own: poses.next() })
 }
 
-fn posed(bones: &Bones, posture: Option<&Posture>, extra: Extra) -> Posed {
+fn posed(bones: &Bones, posture: Option<&Posture>, given: Option<usize>, place: Option<Between>) -> Posed {
     let nowhere = || Bones::nowhere(bones.joint_count());
-    Posed { pose: posture.map_or_else(nowhere, |posture| pose(bones, posture)), extra }
+    let all = bones.motion().skeleton().len();
+    let counts = posture.map(|posture| [posture.angles.len(), posture.translations.len()]);
+    let other = counts.into_iter().flatten().find(|count| *count != all);
+    let pose = posture.map_or_else(nowhere, |posture| pose(bones, posture));
+    Posed { pose, extra: Extra::Warp { given, place, bones: other } }
 }
 
 /// Where the joints are in a posture, of which bones may be missing: these are not turned.

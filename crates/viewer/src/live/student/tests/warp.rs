@@ -37,7 +37,7 @@ fn the_answers_are_those_of_the_functions_in_every_frame_and_the_original_is_not
         }
         let at = whole(new).place(61);
         let place = Some(at);
-        assert_eq!(student.pose(1, 61).unwrap().extra, Extra::Warp { given: Some(new), place });
+        assert_eq!(student.pose(1, 61).unwrap().extra, Extra::Warp { given: Some(new), place, bones: None });
         update_until(&mut student, &[5, 0], |student| student.standing(1, 5).board.is_some());
         assert_eq!(student.standing(1, 5).board.unwrap().title, "Time warping: 15 of 15 points.");
         assert!(student.pose(0, 5).is_none());
@@ -51,7 +51,7 @@ fn frames_that_part_3_does_not_give_are_nowhere() {
         update_until(&mut student, &[0, frame], is_current(1, frame));
         let posed = student.pose(1, frame).unwrap();
         let place = Some(Between { before: frame, after: frame, t: 0.0 });
-        assert_eq!(posed.extra, Extra::Warp { given: Some(480), place });
+        assert_eq!(posed.extra, Extra::Warp { given: Some(480), place, bones: None });
         assert_eq!(posed.pose.transforms()[0].position.is_finite(), is_there);
     }
 }
@@ -72,7 +72,10 @@ fn in_a_stretch_part_2_is_at_work_and_no_other() {
     for frame in [0, 100, 101, 299, 300, 619] {
         update_until(&mut student, &[0, frame], is_current(1, frame));
         assert!(off(&student, frame, map) < 1e-2, "{frame}");
-        assert_eq!(student.pose(1, frame).unwrap().extra, Extra::Warp { given: None, place: None });
+        assert_eq!(
+            student.pose(1, frame).unwrap().extra,
+            Extra::Warp { given: None, place: None, bones: None }
+        );
     }
 }
 
@@ -140,7 +143,7 @@ fn a_part_1_that_fails_costs_the_curve_and_nothing_else() {
     let mut student = student(functions, whole(960));
     update_until(&mut student, &[0, 7], is_current(1, 7));
     assert!(off(&student, 7, whole(960)) < 1e-2);
-    assert_eq!(student.pose(1, 7).unwrap().extra, Extra::Warp { given: Some(960), place: None });
+    assert_eq!(student.pose(1, 7).unwrap().extra, Extra::Warp { given: Some(960), place: None, bones: None });
 }
 
 #[test]

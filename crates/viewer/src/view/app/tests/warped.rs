@@ -48,6 +48,23 @@ fn frames_that_part_3_does_not_give_are_not_told_as_numbers_that_are_none() {
 }
 
 #[test]
+fn a_posture_of_too_few_bones_is_told() {
+    let few = TimeWarpFunctions {
+        warp: |postures, new_count| {
+            let mut warped = (solutions::TIME_WARP.warp)(postures, new_count);
+            warped.iter_mut().for_each(|posture| posture.translations.truncate(1));
+            warped
+        },
+        ..solutions::TIME_WARP
+    };
+    let told = "the posture has angles or translations of 1 bone, and there are 31";
+    let said = words(&scene(&mut walk(7), few, [Right, Right, Wrong]));
+    assert!(said.contains(told), "{said}");
+    let said = words(&scene(&mut walk(7), solutions::TIME_WARP, [Right; 3]));
+    assert!(!said.contains("the posture has"), "{said}");
+}
+
+#[test]
 fn numbers_that_are_none_are_told() {
     let nan = TimeWarpFunctions {
         blend: |from, _, _| {
