@@ -1,7 +1,7 @@
 //! From bones to joints.
 
 use glam::{Quat, Vec3};
-use skeleton::acclaim::{Bone, BoneId, Motion, Posture};
+use skeleton::acclaim::{self, Bone, BoneId, Motion, Posture};
 use skeleton::{Axis, Channel, JointId, RotationOrder, Skeleton};
 
 use super::ConvertError;
@@ -18,7 +18,7 @@ use super::euler::{rotation, zyx_near};
 ///
 /// When a bone other than the root is moved and not only turned.
 pub fn to_joints(motion: &Motion, frame_time: f64) -> Result<skeleton::Motion, ConvertError> {
-    let bones = preorder(motion);
+    let bones = depth_first(motion.skeleton());
     let skeleton = joints(motion, &bones)?;
     let mut values = Vec::with_capacity(skeleton.channel_count().saturating_mul(motion.frame_count()));
     let mut posture = Posture::default();
@@ -47,9 +47,9 @@ pub fn to_joints(motion: &Motion, frame_time: f64) -> Result<skeleton::Motion, C
     Ok(skeleton::Motion::new(skeleton, motion.frame_count(), frame_time, values)?)
 }
 
-/// The root and all bones, each in front of those that hang on it, and these in front of its siblings.
-fn preorder(motion: &Motion) -> Vec<&Bone> {
-    let skeleton = motion.skeleton();
+/// The root and all bones, each in front of those that hang on it, and these in front of its siblings: the order of joints in
+/// BVH.
+pub fn depth_first(skeleton: &acclaim::Skeleton) -> Vec<&Bone> {
     let mut bones = Vec::with_capacity(skeleton.len());
     let mut next = vec![BoneId::ROOT];
     while let Some(bone) = next.pop().and_then(|id| skeleton.get(id)) {

@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
+use parser::acclaim::depth_first;
 use parser::printable;
-use skeleton::acclaim::{AngleUnit, Bone, BoneId, DegreeOfFreedom, LocalAxes, Motion, Skeleton};
+use skeleton::acclaim::{AngleUnit, BoneId, DegreeOfFreedom, LocalAxes, Motion, Skeleton};
 use skeleton::{Axis, RotationOrder};
 
 use super::joints::{extent, extent_of};
@@ -20,7 +21,7 @@ const MOST_LISTED: usize = 10;
 /// for the bones.
 pub fn tree(skeleton: &Skeleton, joints: &skeleton::Skeleton) -> String {
     let extent = extent(joints);
-    let bones = preorder(skeleton);
+    let bones = depth_first(skeleton);
     let mut places = vec![0; skeleton.len()];
     bones.iter().enumerate().for_each(|(place, bone)| places[bone.id.0] = place);
     let branches =
@@ -57,17 +58,6 @@ pub fn tree(skeleton: &Skeleton, joints: &skeleton::Skeleton) -> String {
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text
-}
-
-/// The root and all bones, each in front of those that hang on it, and these in front of its siblings.
-fn preorder(skeleton: &Skeleton) -> Vec<&Bone> {
-    let (mut bones, mut next) = (Vec::with_capacity(skeleton.len()), vec![BoneId::ROOT]);
-    while let Some(bone) = next.pop().and_then(|id| skeleton.get(id)) {
-        bones.push(bone);
-        next.extend(bone.sibling);
-        next.extend(bone.child);
-    }
-    bones
 }
 
 /// The order of rotations as files write it: that of the product from right to left.
