@@ -63,25 +63,21 @@ impl App {
         clear(plot);
         plot.small = true;
         let frame = self.frame();
-        let now = (frame, map.position(frame));
-        places(plot, map.old_count(), map.frame_count(), &map.corners(), now);
+        let (scale, now) = (Scale::of(map), (frame, map.position(frame)));
+        places(plot, map, &scale, now);
         if let Shown::Student(answers) = shown {
-            self.add_students(plot, map, answers);
+            self.add_students(plot, map, &scale, answers);
         }
-        let widest = last_of(map.old_count().max(map.frame_count()));
         let stretch = map.keyframes().into_iter().flatten();
-        plot.posts.extend(stretch.map(|(_, new)| (new as f64 / widest) as f32));
+        plot.posts.extend(stretch.map(|(_, new)| scale.right(new)));
     }
 }
 
 impl App {
     /// Adds the curve of a student's part 1, and moves the mark to it. The other one shows then how it should be.
-    fn add_students(&self, plot: &mut Plot, map: &TimeMap, answers: &dyn Answers) {
-        let (widest, highest) = (last_of(map.old_count().max(map.frame_count())), last_of(map.old_count()));
+    fn add_students(&self, plot: &mut Plot, map: &TimeMap, scale: &Scale, answers: &dyn Answers) {
         let at = |frame: usize| match answers.posed(frame)?.extra {
-            Extra::Warp { place: Some(place), .. } => {
-                Some(((frame as f64 / widest) as f32, (position_of(place) / highest) as f32))
-            }
+            Extra::Warp { place: Some(place), .. } => Some(scale.place((frame, position_of(place)))),
             _ => None,
         };
         let step = map.frame_count().div_ceil(MOST_PLACES).max(1);
@@ -95,11 +91,7 @@ impl App {
             write(&mut right.name, format_args!("goal"));
             right.stroke = Stroke::Dashed;
         }
-        let curve = plot.curves.add();
-        write(&mut curve.name, format_args!("yours"));
-        curve.stroke = Stroke::Solid;
-        curve.points.clear();
-        curve.points.extend(points);
+        add_curve(plot, "yours", Stroke::Solid, points);
         // Of a long motion not all places are asked for: the one before is less than a pixel away.
         if let Some(now) = at(self.frame() - self.frame() % step) {
             plot.mark = Some(now);
@@ -107,24 +99,47 @@ impl App {
     }
 }
 
-/// The curve through `points`, pairs of a new frame and where it is in the old motion, beside that of a motion of `old` frames
-/// that gets `new` frames and is as fast as before. `now` is the shown frame.
-fn places(plot: &mut Plot, old: usize, new: usize, points: &[(usize, f64)], now: (usize, f64)) {
-    let (widest, highest) = (last_of(old.max(new)), last_of(old));
-    let place = |(new, old): (usize, f64)| ((new as f64 / widest) as f32, (old / highest) as f32);
+/// How much room new frames take to the right, and old ones upwards: as far as the longer of both motions goes, and the old one.
+struct Scale {
+    widest: f64,
+    highest: f64,
+}
+
+impl Scale {
+    fn of(map: &TimeMap) -> Scale {
+        let (old, new) = (map.old_count(), map.frame_count());
+        Scale { widest: last_of(old.max(new)), highest: last_of(old) }
+    }
+
+    fn right(&self, new: usize) -> f32 {
+        (new as f64 / self.widest) as f32
+    }
+
+    /// The place of a new frame and of where it is in the old motion.
+    fn place(&self, (new, old): (usize, f64)) -> (f32, f32) {
+        (self.right(new), (old / self.highest) as f32)
+    }
+}
+
+/// The curve of the warp `map` beside that of a motion that is as fast as before. `now` is the shown frame.
+fn places(plot: &mut Plot, map: &TimeMap, scale: &Scale, now: (usize, f64)) {
+    let (old, new) = (map.old_count(), map.frame_count());
     whole_ticks(&mut plot.columns, old.max(new), steps_beside(old.max(new)));
     whole_ticks(&mut plot.rows, old, MOST_WHOLE_STEPS);
     let straight = [(0, 0.0), (old.saturating_sub(1), old.saturating_sub(1) as f64)];
-    for (name, stroke, points) in
-        [("original", Stroke::Faint, &straight[..]), ("warped", Stroke::Solid, points)]
-    {
-        let curve = plot.curves.add();
-        write(&mut curve.name, format_args!("{name}"));
-        curve.stroke = stroke;
-        curve.points.clear();
-        curve.points.extend(points.iter().copied().map(place));
-    }
+    let place = |point| scale.place(point);
+    add_curve(plot, "original", Stroke::Faint, straight.into_iter().map(place));
+    add_curve(plot, "warped", Stroke::Solid, map.corners().into_iter().map(place));
     plot.mark = Some(place(now));
+}
+
+/// Adds a curve. Its memory is used again.
+fn add_curve(plot: &mut Plot, name: &str, stroke: Stroke, points: impl Iterator<Item = (f32, f32)>) {
+    let curve = plot.curves.add();
+    write(&mut curve.name, format_args!("{name}"));
+    curve.stroke = stroke;
+    curve.points.clear();
+    curve.points.extend(points);
 }
 
 /// The last of so many frames, as a number to divide by.
