@@ -55,35 +55,42 @@ fn the_second_picture_of_a_frame_and_a_paler_one_allocate_nothing() {
     assert_eq!(paler.count_total, 0, "{paler:?}");
 }
 
+/// How many frames there are to go through.
+const FRAMES: usize = 60;
+
+/// Shows frames of `app` and counts what that takes, after every letter and every trace has been there once. `look` sees each
+/// frame's scene.
+fn assert_nothing_is_allocated(app: &mut App, shown: Shown, look: impl Fn(usize, &Scene)) {
+    let (mut painter, mut canvas, mut scene) =
+        (Painter::new(), Canvas::new(SIZE.0, SIZE.1), Scene::default());
+    let mut show = |frame: usize| {
+        app.go_to(frame);
+        app.fill(&mut scene, shown, SIZE);
+        painter.draw(&scene, &mut canvas);
+        look(frame, &scene);
+    };
+    (0..FRAMES).for_each(&mut show);
+    for frame in [0, 1, 2, 30, 31, 59, 4] {
+        let counted = allocation_counter::measure(|| show(frame));
+        assert_eq!(counted.count_total, 0, "frame {frame}: {counted:?}");
+    }
+}
+
 /// As the window does it for the reference and for a student, with a joint chosen.
 #[test]
 fn from_the_frames_angles_to_pixels_nothing_is_allocated() {
-    const FRAMES: usize = 60;
     let stage = Arc::new(support::stage());
     let answers = Recorded::of(&solutions::FK, &stage, 0..FRAMES);
     for shown in [Shown::Reference, Shown::Student(&answers)] {
         let mut app = App::new(stage.clone(), "running.bvh".into(), Vec::new(), SIZE);
         app.select(Some(3));
-        let (mut painter, mut canvas, mut scene) =
-            (Painter::new(), Canvas::new(SIZE.0, SIZE.1), Scene::default());
-        let mut show = |frame: usize| {
-            app.go_to(frame);
-            app.fill(&mut scene, shown, SIZE);
-            painter.draw(&scene, &mut canvas);
-        };
-        // Every letter and every trace has been there once.
-        (0..FRAMES).for_each(&mut show);
-        for frame in [0, 1, 2, 30, 31, 59, 4] {
-            let counted = allocation_counter::measure(|| show(frame));
-            assert_eq!(counted.count_total, 0, "frame {frame}: {counted:?}");
-        }
+        assert_nothing_is_allocated(&mut app, shown, |_, _| {});
     }
 }
 
 /// As the window does it for the exercise on bones, with a bone chosen, and one that is not visited.
 #[test]
 fn from_the_angles_of_bones_to_pixels_nothing_is_allocated() {
-    const FRAMES: usize = 60;
     let data = |name: &str| format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"));
     let walk = Source { skeleton: Some(data("walk.asf").into()), ..Source::new(data("walk.amc")) };
     let stage = walk.read().unwrap().stage;
@@ -98,25 +105,13 @@ fn from_the_angles_of_bones_to_pixels_nothing_is_allocated() {
         let mut app = App::new(stage.clone(), "walk.amc".into(), Vec::new(), SIZE);
         app.settings.bones = true;
         app.select(Some(3));
-        let (mut painter, mut canvas, mut scene) =
-            (Painter::new(), Canvas::new(SIZE.0, SIZE.1), Scene::default());
-        let mut show = |frame: usize| {
-            app.go_to(frame);
-            app.fill(&mut scene, shown, SIZE);
-            painter.draw(&scene, &mut canvas);
-        };
-        (0..FRAMES).for_each(&mut show);
-        for frame in [0, 1, 2, 30, 31, 59, 4] {
-            let counted = allocation_counter::measure(|| show(frame));
-            assert_eq!(counted.count_total, 0, "frame {frame}: {counted:?}");
-        }
+        assert_nothing_is_allocated(&mut app, shown, |_, _| {});
     }
 }
 
 /// As the window does it while a motion is edited, with all that can be shown of that, by the reference and by a student.
 #[test]
 fn an_edited_motion_allocates_nothing_either() {
-    const FRAMES: usize = 60;
     let stage = Arc::new(support::stage());
     for (automatic, beside, package) in
         [(true, false, None), (false, true, None), (true, true, Some(Package::Keyframes))]
@@ -128,19 +123,9 @@ fn an_edited_motion_allocates_nothing_either() {
         (edit.automatic, edit.beside) = (automatic, beside);
         (edit.errors, edit.plot, edit.stretch) = (true, true, Some(Representation::Quaternion));
         app.edit(&mut ReferenceHand::default());
-        let (mut painter, mut canvas, mut scene) =
-            (Painter::new(), Canvas::new(SIZE.0, SIZE.1), Scene::default());
-        let mut show = |frame: usize| {
-            app.go_to(frame);
-            app.fill(&mut scene, Shown::Reference, SIZE);
-            painter.draw(&scene, &mut canvas);
+        assert_nothing_is_allocated(&mut app, Shown::Reference, |frame, scene| {
             assert!(scene.plot.is_some() && (scene.marks.len() > 5 || frame == 0));
-        };
-        (0..FRAMES).for_each(&mut show);
-        for frame in [0, 1, 2, 30, 31, 59, 4] {
-            let counted = allocation_counter::measure(|| show(frame));
-            assert_eq!(counted.count_total, 0, "frame {frame}: {counted:?}");
-        }
+        });
     }
 }
 
