@@ -6,7 +6,7 @@
 mod support;
 
 use solutions::template;
-use support::{Course, write};
+use support::Course;
 
 const SOLUTION: &str = include_str!("../../../solutions/src/time_warp.rs");
 
@@ -26,7 +26,7 @@ fn the_template_is_not_started_and_the_solution_gets_everything() {
 
 /// What `cargo test -p time-warp` says of this file, and whether it is content.
 fn grade(course: &Course, source: &str) -> (String, bool) {
-    write(&course.folder.join("exercises/time-warp/src/time_warp.rs"), source.as_bytes());
+    course.save_exercise("time-warp", source);
     let output = course.test_exercise("time-warp").output().unwrap();
     let text = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
     (text.concat(), output.status.success())

@@ -74,6 +74,12 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
+/// A solution with something else in place of one of its lines, or of a part of it.
+pub fn with(solution: &str, line: &str, other: &str) -> String {
+    assert!(solution.contains(line), "the solution has changed");
+    solution.replace(line, other)
+}
+
 /// Writes what has changed.
 pub fn write(path: &Path, bytes: &[u8]) {
     if fs::read(path).is_ok_and(|old| old == bytes) {
