@@ -3,7 +3,6 @@
 //! `cargo bench -p grading --bench save_to_scoreboard`
 #![allow(clippy::unwrap_used)]
 
-#[allow(dead_code)] // Of its helpers, not all are used here.
 #[path = "../tests/support/mod.rs"]
 mod support;
 

@@ -1,7 +1,6 @@
 //! `cargo test -p keyframes` as a student runs it, in a copy of the workspace in which the exercise is edited.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-#[allow(dead_code)] // What is there for other exercises.
 mod support;
 
 use std::process::Output;

@@ -1,7 +1,6 @@
 //! `cargo test -p fk` as a student runs it, in a copy of the workspace in which the exercise is edited.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-#[allow(dead_code)] // Of its helpers, not all are used here.
 mod support;
 
 use std::process::Output;

@@ -2,7 +2,6 @@
 //! exercises have in common is tested with `fk`, in `self_grading.rs`.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-#[allow(dead_code)] // Of its helpers, not all are used here.
 mod support;
 
 use solutions::template;

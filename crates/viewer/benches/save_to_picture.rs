@@ -3,7 +3,6 @@
 //! `cargo bench -p viewer --bench save_to_picture`
 #![allow(clippy::unwrap_used)]
 
-#[allow(dead_code)] // Of its helpers, not all are used here.
 #[path = "../../grading/tests/support/mod.rs"]
 mod support;
 

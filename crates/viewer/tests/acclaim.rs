@@ -2,7 +2,6 @@
 //! real worker.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-#[allow(dead_code)] // Of its helpers, not all are used here.
 #[path = "../../grading/tests/support/mod.rs"]
 mod support;
 

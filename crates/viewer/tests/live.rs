@@ -1,7 +1,6 @@
 //! Saving the exercise while the viewer runs: in a copy of it, with the real compiler and the real worker.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-#[allow(dead_code)] // Of its helpers, not all are used here.
 #[path = "../../grading/tests/support/mod.rs"]
 mod support;
 

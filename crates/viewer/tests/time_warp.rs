@@ -1,7 +1,6 @@
 //! The exercise on time warping in pictures: in a copy of it, with the real compiler and the real worker.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
-#[allow(dead_code)] // Of its helpers, not all are used here.
 #[path = "../../grading/tests/support/mod.rs"]
 mod support;
 

@@ -1,4 +1,5 @@
 //! A copy of the workspace in which the exercise is edited, as a student does.
+#![allow(dead_code)] // No test uses all of it.
 #![allow(clippy::unwrap_used)] // Helpers of tests.
 
 use std::path::{Path, PathBuf};

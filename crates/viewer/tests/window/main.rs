@@ -17,7 +17,6 @@ mod live;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod sister;
 #[cfg(all(unix, not(target_os = "macos")))]
-#[allow(dead_code)] // Of its helpers, not all are used here.
 #[path = "../../../grading/tests/support/mod.rs"]
 mod support;
 #[cfg(all(unix, not(target_os = "macos")))]
