@@ -2,10 +2,10 @@
 
 mod common;
 
-use common::acclaim::{AMC, amc, asf, motion, motion_and_warnings, skeleton};
-use common::bones::{any_angles, any_rotations, any_skeleton, ends, measure};
+use common::acclaim::{AMC, asf, motion, motion_and_warnings, skeleton, skeleton_and_warnings};
+use common::bones::{any_angles, any_moving_skeleton, any_rotations, any_skeleton, ends, measure};
 use glam::Vec3;
-use parser::acclaim::{ConvertError, to_bones, to_joints};
+use parser::acclaim::{to_bones, to_joints};
 use parser::bvh;
 use proptest::prelude::*;
 use skeleton::acclaim::{self, Columns};
@@ -78,15 +78,22 @@ fn angles_about_the_worlds_axes_stay_as_they_are() {
 }
 
 #[test]
-fn a_bone_that_is_moved_is_no_joint() {
-    let skeleton = skeleton(asf("dof rx\n", "dof ty\n"));
-    let (moved, _) = motion_and_warnings(amc("shin 10", "shin 0"), &skeleton);
-    let error = to_joints(&moved, 0.1).expect_err("a bone that moves");
-    assert_eq!(error, ConvertError::MovedBone { bone: "shin".into(), frame: 2 });
-    let expected = "in frame 2 (counted from 1) the bone `shin` is moved away from where it ends: joints cannot say that";
-    assert_eq!(error.to_string(), expected);
-    let (still, _) = motion_and_warnings(amc("shin 10", "shin 0").replace("shin 20", "shin 0"), &skeleton);
-    assert!(to_joints(&still, 0.1).is_ok());
+fn what_hangs_on_a_bone_that_is_moved_says_where_it_is() {
+    let (skeleton, _) =
+        skeleton_and_warnings(asf("dof rx ry rz", "dof rx ry rz tz").replace("dof rx\n", "dof ty rx\n"));
+    let text = AMC.replace("shin 10", "shin 0.5 10").replace("shin 20", "shin -0.5 20");
+    let text = text.replace("7 8 9", "7 8 9 3").replace("17 18 19", "17 18 19 -2");
+    let (bones, _) = motion_and_warnings(text, &skeleton);
+    let joints = to_joints(&bones, 0.1).expect("joints");
+    let names: Vec<&str> = joints.skeleton().joints().iter().map(|joint| &*joint.name).collect();
+    assert_eq!(names, ["root", "hip", "thigh", "shin", "shin_end", "End Site"]);
+    let positions = ["Xposition", "Yposition", "Zposition"];
+    assert_eq!(channels(&joints, 2).len(), 3, "the bone itself only turns");
+    assert_eq!(channels(&joints, 3)[..3], positions);
+    assert_eq!(channels(&joints, 4), positions);
+    assert!(worst(&bones, &joints) < 1e-6);
+    let still = bones.posture(0).translations.iter().skip(1).all(|translation| *translation == Vec3::ZERO);
+    assert!(!still, "the bones are moved");
 }
 
 #[test]
@@ -210,19 +217,22 @@ fn any_joints() -> impl Strategy<Value = Motion> {
     })
 }
 
+/// Three frames of numbers for these bones.
+fn three_frames(skeleton: acclaim::Skeleton) -> impl Strategy<Value = acclaim::Motion> {
+    let columns = Columns::new(skeleton);
+    prop::collection::vec(any_angles(), columns.len()).prop_map(move |rows| {
+        let values = (0..3).flat_map(|frame| rows.iter().map(move |row| row[frame])).collect();
+        acclaim::Motion::new(columns.clone(), 3, values).expect("three frames")
+    })
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
     fn bones_stay_where_they_are(
-        (skeleton, rows) in any_skeleton().prop_flat_map(|skeleton| {
-            let width = Columns::new(skeleton.clone()).len();
-            (Just(skeleton), prop::collection::vec(any_angles(), width))
-        }),
+        bones in any_skeleton().prop_flat_map(three_frames),
     ) {
-        let columns = Columns::new(skeleton);
-        let values = (0..3).flat_map(|frame| rows.iter().map(move |row| row[frame])).collect();
-        let bones = acclaim::Motion::new(columns, 3, values).expect("three frames");
         let joints = to_joints(&bones, 1.0 / 120.0).expect("joints");
         prop_assert!(worst(&bones, &joints) < 1e-4, "{}", worst(&bones, &joints));
         // And back again: the same bones, with more of them where several hang on one.
@@ -234,6 +244,22 @@ proptest! {
                 prop_assert!(off < 1e-4 * measure(bones.skeleton()), "{off}");
             }
         }
+    }
+
+    #[test]
+    fn bones_that_are_moved_stay_where_they_are(
+        bones in any_moving_skeleton().prop_flat_map(three_frames),
+    ) {
+        let joints = to_joints(&bones, 1.0 / 120.0).expect("joints");
+        let all_ends = (0..3).flat_map(|frame| ends(bones.skeleton(), &bones.posture(frame)));
+        let reach = all_ends.map(Vec3::length).fold(measure(bones.skeleton()), f32::max);
+        let off = worst(&bones, &joints) * measure(bones.skeleton()) / reach;
+        prop_assert!(off < 1e-5, "{off}");
+        // A file says the same as the joints.
+        let mut file = Vec::new();
+        bvh::write(&joints, &mut file).expect("a file");
+        let read = bvh::read(&*file).expect("the same").motion;
+        prop_assert_eq!(read.skeleton(), joints.skeleton());
     }
 
     #[test]

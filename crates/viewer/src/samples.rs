@@ -22,25 +22,28 @@ pub fn walk() -> Arc<Stage> {
 
 /// The same walk, with the numbers of the left thigh listed as rz ry rx.
 pub fn walk_in_other_orders() -> Arc<Stage> {
+    let skeleton = |text: &str| {
+        let at = text.find("name lfemur").unwrap();
+        text[..at].to_owned() + &text[at..].replacen("dof rx ry rz", "dof rz ry rx", 1)
+    };
+    walk_with(skeleton, |line| {
+        let numbers: Vec<&str> = line.strip_prefix("lfemur ")?.split(' ').collect();
+        Some(["lfemur", numbers[2], numbers[1], numbers[0]].join(" "))
+    })
+}
+
+/// The same walk with another skeleton file, and with other lines in its motion.
+pub fn walk_with(skeleton: impl Fn(&str) -> String, line: impl Fn(&str) -> Option<String>) -> Arc<Stage> {
     let folder = tempfile::tempdir().unwrap();
     let changed = |name: &str, change: &dyn Fn(&str) -> String| {
         let path = folder.path().join(name);
         std::fs::write(&path, change(&std::fs::read_to_string(data(name)).unwrap())).unwrap();
         path
     };
-    let skeleton = changed("walk.asf", &|text| {
-        let at = text.find("name lfemur").unwrap();
-        text[..at].to_owned() + &text[at..].replacen("dof rx ry rz", "dof rz ry rx", 1)
-    });
-    let motion = changed("walk.amc", &|text| {
-        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-        for line in lines.iter_mut().filter(|line| line.starts_with("lfemur ")) {
-            let numbers: Vec<&str> = line.split(' ').collect();
-            *line = [numbers[0], numbers[3], numbers[2], numbers[1]].join(" ");
-        }
-        lines.join("\n") + "\n"
-    });
-    bones(&skeleton, &motion)
+    let lines = |text: &str| {
+        text.lines().map(|old| line(old).unwrap_or_else(|| old.to_owned()) + "\n").collect::<String>()
+    };
+    bones(&changed("walk.asf", &skeleton), &changed("walk.amc", &lines))
 }
 
 /// The motion of bones in two files.

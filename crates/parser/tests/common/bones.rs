@@ -45,9 +45,16 @@ pub fn any_rotations() -> impl Strategy<Value = Vec<Channel>> {
     (Just(all).prop_shuffle(), 0usize..=3).prop_map(|(all, count)| all[..count].to_vec())
 }
 
-fn any_bone() -> impl Strategy<Value = (prop::sample::Index, BoneData)> {
-    let dofs =
-        any_rotations().prop_map(|channels| channels.into_iter().map(DegreeOfFreedom::unlimited).collect());
+/// Some rotations and translations, in any order.
+fn any_channels() -> impl Strategy<Value = Vec<Channel>> {
+    let all = [Axis::ALL.map(Channel::Position), Axis::ALL.map(Channel::Rotation)].concat();
+    (Just(all).prop_shuffle(), 0usize..=6).prop_map(|(all, count)| all[..count].to_vec())
+}
+
+fn any_bone(
+    channels: impl Strategy<Value = Vec<Channel>>,
+) -> impl Strategy<Value = (prop::sample::Index, BoneData)> {
+    let dofs = channels.prop_map(|channels| channels.into_iter().map(DegreeOfFreedom::unlimited).collect());
     (any::<prop::sample::Index>(), prop::array::uniform3(-1f32..1.0), 0f32..5.0, any_axes(), dofs).prop_map(
         |(parent, direction, length, axis, dofs)| {
             let direction = Vec3::from_array(direction).normalize_or(Vec3::Y);
@@ -58,13 +65,24 @@ fn any_bone() -> impl Strategy<Value = (prop::sample::Index, BoneData)> {
 
 /// A skeleton whose bones turn about axes of their own, and do not move otherwise.
 pub fn any_skeleton() -> impl Strategy<Value = Skeleton> {
+    skeleton_of(any_bone(any_rotations()))
+}
+
+/// The same, with bones that are moved, too.
+pub fn any_moving_skeleton() -> impl Strategy<Value = Skeleton> {
+    skeleton_of(any_bone(any_channels()))
+}
+
+fn skeleton_of(
+    bone: impl Strategy<Value = (prop::sample::Index, BoneData)>,
+) -> impl Strategy<Value = Skeleton> {
     let order = (prop::array::uniform3(-9f32..9.0), any_axes(), any_rotations()).prop_map(
         |(position, orientation, rotations)| {
             let order = Axis::ALL.map(Channel::Position).into_iter().chain(rotations).collect();
             Root { order, orientation, position: Vec3::from_array(position) }
         },
     );
-    (order, prop::collection::vec(any_bone(), 0..10)).prop_map(|(root, plan)| {
+    (order, prop::collection::vec(bone, 0..10)).prop_map(|(root, plan)| {
         let mut skeleton = Skeleton::new(root).expect("a root");
         for (parent, bone) in plan {
             let name = format!("bone{}", skeleton.len());

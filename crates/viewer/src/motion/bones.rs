@@ -5,13 +5,14 @@ use skeleton::acclaim::{Bone, BoneId, BonePlace, Motion, Posture};
 use skeleton::{Pose, RotationOrder, Transform};
 
 /// A motion of bones, beside the same motion of joints as [`parser::acclaim::to_joints`] makes it: a joint stands for the
-/// start of its bone, and an End Site for the end of the bone on which nothing hangs.
+/// start of its bone, and an End Site for the end of the bone on which nothing hangs. Where such an end is moved, a joint
+/// stands for it, too.
 #[derive(Clone, Debug)]
 pub struct Bones {
     motion: Motion,
-    /// For every joint its bone, and for every End Site the bone that ends there.
+    /// For every joint the bone that starts there, or else the one that ends there.
     of_joints: Vec<BoneId>,
-    /// For every joint whether it is an End Site.
+    /// For every joint whether it stands for the end of its bone.
     ends: Vec<bool>,
 }
 
@@ -20,12 +21,11 @@ impl Bones {
     pub fn new(motion: Motion, joints: &skeleton::Skeleton) -> Bones {
         let (mut of_joints, mut ends) = (Vec::new(), Vec::new());
         for joint in joints.joints() {
-            let bone = match joint.parent {
-                Some(parent) if joint.is_end_site => of_joints[parent.0],
-                _ => motion.skeleton().find(&joint.name).map_or(BoneId::ROOT, |bone| bone.id),
-            };
+            let starting = motion.skeleton().find(&joint.name).filter(|_| !joint.is_end_site);
+            let ending = || joint.parent.map_or(BoneId::ROOT, |parent| of_joints[parent.0]);
+            let bone = starting.map_or_else(ending, |bone| bone.id);
             of_joints.push(bone);
-            ends.push(joint.is_end_site);
+            ends.push(starting.is_none());
         }
         Bones { motion, of_joints, ends }
     }
@@ -40,9 +40,14 @@ impl Bones {
         self.of_joints.len()
     }
 
-    /// The bone that starts at joint `joint` (from 0), or ends at it when it is an End Site.
+    /// The bone that starts at joint `joint` (from 0), or ends at it when none does.
     pub fn of_joint(&self, joint: usize) -> BoneId {
         self.of_joints.get(joint).copied().unwrap_or(BoneId::ROOT)
+    }
+
+    /// Whether joint `joint` (from 0) stands for where its bone ends.
+    pub fn is_end(&self, joint: usize) -> bool {
+        self.ends.get(joint).copied().unwrap_or_default()
     }
 
     /// How the own axes of the bone of joint `joint` (from 0) are turned against the world's at rest.
@@ -93,7 +98,7 @@ const NOWHERE: Transform = Transform { rotation: Quat::NAN, position: Vec3::NAN 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::samples::walk;
+    use crate::samples::{walk, walk_with};
 
     #[test]
     fn joints_are_where_the_bones_for_which_they_stand_start_and_end() {
@@ -108,6 +113,27 @@ mod tests {
             }
         }
         assert_eq!(pose.len(), stage.motion().skeleton().len());
+    }
+
+    #[test]
+    fn a_joint_stands_for_the_end_of_a_bone_that_is_moved() {
+        let stage = walk_with(
+            |skeleton| skeleton.replacen("dof rx\n    limits (-75 40)", "dof rx ty", 1),
+            |line| line.strip_prefix("ltoes ").map(|number| format!("ltoes {number} -40")),
+        );
+        let (bones, mut pose) = (stage.bones().unwrap(), Pose::default());
+        let places = bones.reference(&bones.motion().posture(100));
+        bones.pose(&places, &mut pose);
+        let joints = stage.motion().skeleton().joints();
+        for (own, other) in pose.transforms().iter().zip(stage.reference(100).transforms()) {
+            assert!(own.position.distance(other.position) < 1e-3, "{own:?} {other:?}");
+        }
+        let end = joints.iter().position(|joint| joint.name == "ltoes_end").unwrap();
+        let toes = bones.motion().skeleton().find("ltoes").unwrap();
+        assert!(bones.is_end(end) && !bones.is_end(end - 1));
+        assert_eq!((bones.of_joint(end), bones.of_joint(end + 1)), (toes.id, toes.id));
+        assert_eq!(pose.transforms()[end].position, places[toes.id.0].unwrap().end);
+        assert!(joints[end + 1].is_end_site && !joints[end].is_end_site);
     }
 
     #[test]

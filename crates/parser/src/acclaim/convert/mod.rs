@@ -14,16 +14,6 @@ pub use to_joints::{depth_first, to_joints};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConvertError {
-    /// A bone comes off the end of its parent.
-    #[error(
-        "in frame {frame} (counted from 1) the bone `{bone}` is moved away from where it ends: joints cannot say that"
-    )]
-    MovedBone {
-        /// The bone.
-        bone: String,
-        /// The first frame in which it is, from 1.
-        frame: usize,
-    },
     /// There is no joint.
     #[error("there is no joint, and a skeleton of bones has a root at least")]
     NoJoints,

@@ -6,6 +6,7 @@ use skeleton::{Axis, Channel, JointId, RotationOrder, Skeleton};
 
 use super::ConvertError;
 use super::euler::{rotation, zyx_near};
+use super::names::Names;
 
 /// The same motion of joints, as BVH has it, with `frame_time` seconds from one frame to the next (a motion of bones says
 /// nothing about time; 1/120 is usual).
@@ -14,33 +15,47 @@ use super::euler::{rotation, zyx_near};
 /// are the world's: where a bone's own axes are turned against them, its angles become others, in the order Z, Y, X,
 /// without leaps from frame to frame. A bone without dofs becomes a joint without channels. Lengths stay as they are.
 ///
+/// The end of a bone that has translations among its dofs is not always in the same place. What hangs there has position
+/// channels, which say where it is instead of the offset; where nothing hangs, a joint without rotations stands for the end.
+///
 /// # Errors
 ///
-/// When a bone other than the root is moved and not only turned.
+/// None that a motion of bones is known to cause: what joints are built of was checked when the bones were.
 pub fn to_joints(motion: &Motion, frame_time: f64) -> Result<skeleton::Motion, ConvertError> {
     let bones = depth_first(motion.skeleton());
     let skeleton = joints(motion, &bones)?;
     let mut values = Vec::with_capacity(skeleton.channel_count().saturating_mul(motion.frame_count()));
     let mut posture = Posture::default();
-    let mut last = vec![[0.0; 3]; motion.skeleton().len()];
+    let mut last = vec![[0.0; 3]; bones.len()];
+    // How each bone is turned against its rest pose, and where it ends, as seen from where it starts.
+    let (mut turned, mut ends) = (vec![Quat::IDENTITY; bones.len()], vec![Vec3::ZERO; bones.len()]);
     for frame in 0..motion.frame_count() {
         motion.read_posture(frame, &mut posture);
         for bone in &bones {
-            let translation = posture.translations[bone.id.0];
-            if bone.is_root() {
-                values.extend(translation.to_array());
-            } else if translation != Vec3::ZERO {
-                return Err(ConvertError::MovedBone { bone: bone.name.clone(), frame: frame + 1 });
+            let id = bone.id.0;
+            let (angles, translation) = (posture.angles[id], posture.translations[id]);
+            let above = bone.parent.and_then(|parent| motion.skeleton().get(parent));
+            match above {
+                None => values.extend(translation.to_array()),
+                Some(parent) if is_moved(parent) => values.extend(ends[parent.id.0].to_array()),
+                Some(_) => {}
             }
-            let last = &mut last[bone.id.0];
+            let turn = in_world_axes(bone, angles);
+            let last = &mut last[id];
             if let Some(axes) = order(bone).axes() {
-                let angles = posture.angles[bone.id.0];
                 *last = if is_turned(bone) {
-                    zyx_near(in_world_axes(bone, angles), *last)
+                    zyx_near(turn, *last)
                 } else {
                     axes.map(|axis| angles[axis.index()])
                 };
                 values.extend(*last);
+            }
+            turned[id] = above.map_or(Quat::IDENTITY, |parent| turned[parent.id.0]) * turn;
+            if is_moved(bone) {
+                ends[id] = bone.rest_vector() + turned[id].inverse() * translation;
+                if bone.child.is_none() {
+                    values.extend(ends[id].to_array());
+                }
             }
         }
     }
@@ -61,23 +76,37 @@ pub fn depth_first(skeleton: &acclaim::Skeleton) -> Vec<&Bone> {
 }
 
 fn joints(motion: &Motion, bones: &[&Bone]) -> Result<Skeleton, ConvertError> {
+    let mut names = Names::default();
+    bones.iter().for_each(|bone| drop(names.give(&bone.name)));
+    let positions = |moves: bool| Axis::ALL.into_iter().filter(move |_| moves).map(Channel::Position);
     let mut skeleton = Skeleton::new();
     let mut ids: Vec<Option<JointId>> = vec![None; bones.len()];
     for bone in bones {
         let rotations = order(bone).axes().into_iter().flatten().map(Channel::Rotation);
-        let (parent, offset, positions) = match bone.parent.and_then(|parent| motion.skeleton().get(parent)) {
-            Some(parent) => (ids[parent.id.0], parent.rest_vector(), &[][..]),
-            None => (None, motion.skeleton().position(), &Axis::ALL[..]),
+        let (parent, offset, moves) = match bone.parent.and_then(|parent| motion.skeleton().get(parent)) {
+            Some(parent) => (ids[parent.id.0], parent.rest_vector(), is_moved(parent)),
+            None => (None, motion.skeleton().position(), true),
         };
-        let channels: Vec<Channel> =
-            positions.iter().copied().map(Channel::Position).chain(rotations).collect();
-        let id = skeleton.add_joint(parent, bone.name.clone(), offset, channels)?;
+        let channels: Vec<Channel> = positions(moves).chain(rotations).collect();
+        let mut id = skeleton.add_joint(parent, bone.name.clone(), offset, channels)?;
         ids[bone.id.0] = Some(id);
-        if bone.child.is_none() && !bone.is_root() {
-            skeleton.add_end_site(id, "End Site", bone.rest_vector())?;
+        if bone.child.is_some() || bone.is_root() {
+            continue;
         }
+        let mut to_end = bone.rest_vector();
+        if is_moved(bone) {
+            let name = names.give(&format!("{}_end", bone.name));
+            id = skeleton.add_joint(Some(id), name, to_end, positions(true).collect::<Vec<_>>())?;
+            to_end = Vec3::ZERO;
+        }
+        skeleton.add_end_site(id, "End Site", to_end)?;
     }
     Ok(skeleton)
+}
+
+/// Whether a bone other than the root has translations among its dofs.
+fn is_moved(bone: &Bone) -> bool {
+    !bone.is_root() && bone.dofs.iter().any(|dof| matches!(dof.channel, Channel::Position(_)))
 }
 
 /// Whether a bone's own axes are not the world's.

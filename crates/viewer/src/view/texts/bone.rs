@@ -25,9 +25,7 @@ pub fn write(facts: &Facts, of: OfBones, panel: &mut Panel) {
     let Some(joint) = facts.app.selected() else { return };
     let skeleton = of.bones.motion().skeleton();
     let Some(bone) = skeleton.get(of.bones.of_joint(joint)) else { return };
-    let is_end =
-        facts.app.stage().motion().skeleton().joints().get(joint).is_some_and(|joint| joint.is_end_site);
-    match is_end {
+    match of.bones.is_end(joint) {
         true => panel.add(Line::Heading, format_args!("{}: its end", bone.name)),
         false => panel.add(Line::Heading, &bone.name),
     }

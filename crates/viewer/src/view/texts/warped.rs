@@ -63,12 +63,12 @@ pub fn is_known_begun(facts: &Facts, part: usize) -> bool {
 /// Everything about the joint that the user looks at.
 pub fn write_joint(facts: &Facts, panel: &mut Panel) {
     let Some(id) = facts.app.selected().map(JointId) else { return };
-    let (stage, skeleton) = (facts.app.stage(), facts.app.stage().motion().skeleton());
-    let Some(joint) = skeleton.get(id) else { return };
-    let name = |id| skeleton.get(id).map_or("", |joint| &joint.name);
-    match (joint.is_end_site, joint.parent) {
-        (true, Some(bone)) => panel.add(Line::Heading, format_args!("{}: its end", name(bone))),
-        _ => panel.add(Line::Heading, &joint.name),
+    let stage = facts.app.stage();
+    let Some(bones) = stage.bones() else { return };
+    let Some(bone) = bones.motion().skeleton().get(bones.of_joint(id.0)) else { return };
+    match bones.is_end(id.0) {
+        true => panel.add(Line::Heading, format_args!("{}: its end", bone.name)),
+        false => panel.add(Line::Heading, &bone.name),
     }
     let given = facts.solid.and_then(|pose| pose.transforms().get(id.0));
     let Some(right) = facts.reference.transforms().get(id.0) else { return };
@@ -77,7 +77,7 @@ pub fn write_joint(facts: &Facts, panel: &mut Panel) {
     if given.is_some() && !current {
         panel.add(Line::Quiet, "yours: of your last version that worked");
     }
-    let own_axes = stage.bones().map_or(glam::Quat::IDENTITY, |bones| bones.own_axes(id.0));
+    let own_axes = bones.own_axes(id.0);
     let is_missing = is_missing(facts);
     let row = |panel: &mut Panel, yours: Option<&[f32]>, right: &[f32], digits: usize| {
         match yours {
@@ -88,7 +88,7 @@ pub fn write_joint(facts: &Facts, panel: &mut Panel) {
         panel.add(Line::Key("expected"), Row(right, digits));
     };
     let rotation = |transform: &Transform| (transform.rotation * own_axes).to_array();
-    let place = if joint.is_end_site { "end, in the file's units" } else { "start, in the file's units" };
+    let place = if bones.is_end(id.0) { "end, in the file's units" } else { "start, in the file's units" };
     panel.add(Line::Text, "rotation (x, y, z, w)");
     row(panel, given.map(rotation).as_ref().map(|own| &own[..]), &rotation(right), 4);
     panel.add(Line::Text, place);
