@@ -18,7 +18,7 @@ use crate::motion::stage::Stage;
 /// How long the functions may take for one batch of frames. It is far more than they need.
 pub const PATIENCE: Duration = Duration::from_secs(5);
 
-/// How long they may take for a single frame.
+/// How long they may take for a single frame, where it is made by itself.
 pub(super) const FRAME_LIMIT: Duration = Duration::from_secs(2);
 
 /// How long they may take for a piece of a frame, while the place is looked for at which they do not come back.
