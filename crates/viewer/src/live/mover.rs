@@ -48,12 +48,14 @@ impl Mover {
         self == Mover::TimeWarp && time_warp::is_asked_whole(stage)
     }
 
-    /// The parts, from 0, that put things in their places. Before all of these are begun nothing can be where it belongs.
-    pub fn placing_parts(self) -> &'static [usize] {
+    /// The parts, from 0, that put things in their places in the motion on `stage`. Before all of these are begun nothing can be
+    /// where it belongs.
+    pub fn placing_parts(self, stage: &Stage) -> &'static [usize] {
         match self {
             Mover::Fk => &[2],
             Mover::Acclaim => &[1, 2],
-            Mover::TimeWarp => &[2],
+            Mover::TimeWarp if self.is_asked_whole(stage) => &[2],
+            Mover::TimeWarp => &[1],
         }
     }
 
