@@ -79,6 +79,13 @@ impl Facts<'_> {
         row.is_none_or(|row| row.state != PartState::NotStarted)
     }
 
+    /// Whether the student is known to have begun any part; while points are counted again, before the last save. Before that
+    /// nothing is wrong yet.
+    fn is_known_begun(&self) -> bool {
+        let board = self.standing.and_then(|standing| standing.board.as_ref().or(standing.former.as_ref()));
+        board.is_some_and(|board| board.rows.iter().any(|row| row.state != PartState::NotStarted))
+    }
+
     /// Whether what is shown is what the exercise on bones makes of the motion.
     fn is_of_bones(&self) -> bool {
         match self.shown {
