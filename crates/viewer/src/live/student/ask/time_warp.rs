@@ -18,7 +18,7 @@ use crate::motion::time_map::TimeMap;
 const MOST_BONES: usize = 1_000_000;
 
 /// Part 1 is asked about so many frames, evenly spread: enough for a curve.
-pub(crate) const MOST_PLACES: usize = 1_000;
+const MOST_PLACES: usize = 1_000;
 
 /// Whether part 3 makes the warped motion on `stage`, which has bones. Otherwise, in a stretch between keyframes and where
 /// there are too many frames, the places of frames are right ones, and part 2 blends what is there.
@@ -27,6 +27,11 @@ pub(crate) fn is_asked_whole(stage: &Stage) -> bool {
     let bones = bones.motion().skeleton().len();
     let fits = |count: usize| count.saturating_mul(bones) <= MOST_BONES;
     matches!(stage.warp(), Some(TimeMap::Whole { old, new }) if fits(old) && fits(new))
+}
+
+/// For its curve part 1 is asked about frame 0, and then at each step of so many frames.
+pub(crate) fn places_step(map: &TimeMap) -> usize {
+    map.frame_count().div_ceil(MOST_PLACES).max(1)
 }
 
 /// Asks for `frames` of a warped motion. What is not warped, or has no bones, is not asked about.
@@ -64,7 +69,7 @@ pub(in crate::live::student) fn places(
     frames: Range<usize>,
 ) -> Vec<Option<Between>> {
     let (old_count, new_count) = (map.old_count(), map.frame_count());
-    let step = if frames.len() == 1 { 1 } else { new_count.div_ceil(MOST_PLACES).max(1) };
+    let step = if frames.len() == 1 { 1 } else { places_step(map) };
     let asked: Vec<usize> = frames.clone().filter(|index| index % step == 0).collect();
     let question = |new_frame: &usize| {
         Question::TimeWarp(WarpQuestion::Position { new_frame: *new_frame, old_count, new_count })
