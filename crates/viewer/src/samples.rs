@@ -5,8 +5,9 @@ use std::sync::{Arc, OnceLock};
 
 use glam::Vec3;
 use skeleton::acclaim::{BoneData, BoneId, Columns, LocalAxes, Root};
-use skeleton::{Channel, Motion, Skeleton, acclaim};
+use skeleton::{Channel, Motion, PositionChannels, Skeleton, acclaim};
 
+use crate::motion::bones::Bones;
 use crate::motion::source::Source;
 use crate::motion::stage::Stage;
 
@@ -62,6 +63,14 @@ pub fn chain_of_bones(count: usize) -> acclaim::Motion {
     let columns = Columns::new(skeleton);
     let row = vec![0.0; columns.len()];
     acclaim::Motion::new(columns, 1, row).unwrap()
+}
+
+/// The stage of that chain.
+pub fn stage_of_bones(count: usize) -> Stage {
+    let motion = chain_of_bones(count);
+    let joints = parser::acclaim::to_joints(&motion, 0.1).unwrap();
+    let bones = Bones::new(motion, joints.skeleton());
+    Stage::new(joints, PositionChannels::Replace).with_bones(bones)
 }
 
 /// A root that walks along X and bobs, a left and a right limb on it, and a tip each.
