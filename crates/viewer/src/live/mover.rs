@@ -2,6 +2,7 @@
 
 use crate::live::package::Package;
 use crate::live::student::time_warp;
+use crate::motion::source::Warping;
 use crate::motion::stage::Stage;
 
 /// An exercise whose functions say, for each frame, where everything is. How its functions are asked for frames is
@@ -45,7 +46,19 @@ impl Mover {
 
     /// Whether one answer holds all frames of the motion on `stage`, whichever of them is asked about. Where one fails, all do.
     pub(crate) fn is_asked_whole(self, stage: &Stage) -> bool {
-        self == Mover::TimeWarp && time_warp::is_asked_whole(stage)
+        match self {
+            Mover::Fk | Mover::Acclaim => false,
+            Mover::TimeWarp => time_warp::is_asked_whole(stage),
+        }
+    }
+
+    /// How motions are warped where nothing is said of it; `None` where they are not.
+    pub(crate) fn usual_warp(self) -> Option<Warping> {
+        match self {
+            Mover::Fk | Mover::Acclaim => None,
+            // To twice as many frames.
+            Mover::TimeWarp => Some(Warping { frames: None, keyframes: None }),
+        }
     }
 
     /// The parts, from 0, that put things in their places in the motion on `stage`. Before all of these are begun nothing can be

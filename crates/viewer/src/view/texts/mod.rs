@@ -96,7 +96,13 @@ impl Facts<'_> {
 
     /// Whether what is shown is a student's warped motion.
     fn is_of_warp(&self) -> bool {
-        matches!(self.shown, Shown::Student(answers) if answers.mover() == Mover::TimeWarp)
+        match self.shown {
+            Shown::Student(answers) => match answers.mover() {
+                Mover::TimeWarp => true,
+                Mover::Fk | Mover::Acclaim => false,
+            },
+            Shown::Reference => false,
+        }
     }
 
     /// How things stand with the student's functions, whatever they do.
