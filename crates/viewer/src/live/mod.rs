@@ -86,6 +86,11 @@ impl Live {
         OfMotion { mover: self.mover, student: &self.student, motion }
     }
 
+    /// The exercise.
+    pub fn mover(&self) -> Mover {
+        self.mover
+    }
+
     /// Whether the functions have anything to do with the motion on `stage`.
     pub fn moves(&self, stage: &Stage) -> bool {
         self.mover.moves(stage)

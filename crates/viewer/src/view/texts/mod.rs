@@ -21,7 +21,7 @@ use skeleton::Pose;
 
 use crate::edit::Edited;
 use crate::live::mover::Mover;
-use crate::live::student::{Details, Posed, Standing};
+use crate::live::student::{Details, Points, Posed, Standing};
 use crate::scene::{Corner, Line, Off, Panel, Pool};
 use crate::view::app::{App, Shown};
 use crate::window::keys;
@@ -105,10 +105,11 @@ impl Facts<'_> {
         }
     }
 
-    /// How things stand with the student's functions, whatever they do.
-    fn standing_of_any(&self) -> Option<&Standing> {
+    /// The points of the student's functions, whatever they do.
+    fn points(&self) -> Option<Points> {
         let sisters = self.app.sister().map(|sister| &sister.standing);
-        sisters.or(self.standing).or(self.app.standing_of_other())
+        let own = sisters.or(self.standing).map(Standing::points);
+        own.or_else(|| self.app.points_of_other().cloned())
     }
 
     /// Whether there is room for words beside the figure.
