@@ -101,7 +101,7 @@ impl Live {
         &self.student
     }
 
-    /// Asks for the details of a frame: see [`Student::details`].
+    /// The same, who can be asked for the [details](Student::details) of a frame.
     pub fn student_mut(&mut self) -> &mut Student {
         &mut self.student
     }

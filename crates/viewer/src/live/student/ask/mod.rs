@@ -24,7 +24,8 @@ pub(super) const FRAME_LIMIT: Duration = Duration::from_secs(2);
 /// How long they may take for a piece of a frame, while the place is looked for at which they do not come back.
 pub(super) const PIECE_LIMIT: Duration = Duration::from_millis(500);
 
-/// Asks for the poses of `frames`, here and now, for at most [`PATIENCE`].
+/// Asks for the poses of `frames`, here and now. The functions may take [`PATIENCE`] for these, and where time warping makes a
+/// whole motion a moment more, to say where its frames are. A worker that has to be started may take as long once more.
 ///
 /// # Errors
 ///
