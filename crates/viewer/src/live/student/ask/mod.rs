@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::time::Duration;
 
 use exam::fk::Question as FkQuestion;
-use exam::{Failure, Question, Subject};
+use exam::{Answer, Failure, Question, Subject};
 use skeleton::Skeleton;
 
 use super::posed::{Details, Posed};
@@ -78,6 +78,15 @@ pub(crate) fn details(
 pub(super) fn warm_up(subject: &mut impl Subject) -> Result<(), Failure> {
     let nothing = FkQuestion::Poses { skeleton: Skeleton::new(), frames: Vec::new() };
     subject.ask(&Question::Fk(nothing), PATIENCE).map(|_| ())
+}
+
+/// Puts a question of one exercise. Only an answer of the same exercise is one.
+pub(super) fn put<A: TryFrom<Answer>>(
+    subject: &mut impl Subject,
+    question: impl Into<Question>,
+    limit: Duration,
+) -> Result<A, Failure> {
+    subject.ask(&question.into(), limit)?.try_into().map_err(|_| unfit())
 }
 
 pub(super) fn unfit() -> Failure {

@@ -8,7 +8,7 @@ use exam::{Answer, Failure, Question, Subject};
 use skeleton::Pose;
 use skeleton::acclaim::{Between, Posture};
 
-use super::{PIECE_LIMIT, unfit};
+use super::{PIECE_LIMIT, put, unfit};
 use crate::live::student::posed::{Details, Extra, Posed};
 use crate::motion::bones::Bones;
 use crate::motion::stage::Stage;
@@ -166,15 +166,4 @@ fn pose(bones: &Bones, posture: &Posture) -> Pose {
     let mut pose = Pose::default();
     bones.pose(&bones.reference(posture), &mut pose);
     pose
-}
-
-fn put(
-    subject: &mut impl Subject,
-    question: WarpQuestion,
-    limit: Duration,
-) -> Result<WarpAnswer, Failure> {
-    match subject.ask(&Question::TimeWarp(question), limit)? {
-        Answer::TimeWarp(answer) => Ok(answer),
-        _ => Err(unfit()),
-    }
 }

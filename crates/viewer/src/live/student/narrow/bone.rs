@@ -12,7 +12,7 @@ use super::{Place, same_kind, short};
 use crate::motion::bones::Bones;
 use crate::motion::stage::Stage;
 
-/// A question about one bone holds the whole skeleton. Beyond so many bones nobody would wait for all of them.
+/// A question about one bone holds the whole skeleton. With more bones than this nobody would wait for all of them.
 const MOST_BONES: usize = 500;
 
 /// Of questions that end in a loop or a crash, each of which takes long, so many are enough for the depth of a body.
@@ -44,8 +44,7 @@ impl<S: Subject> Search<'_, S> {
 
     /// Puts a question. Without an answer it gives whether that is the failure whose place is looked for.
     fn put(&mut self, question: AcclaimQuestion) -> Result<AcclaimAnswer, bool> {
-        let answer =
-            ask::warm_up(self.subject).and_then(|()| ask::acclaim::put(self.subject, question, PIECE_LIMIT));
+        let answer = ask::warm_up(self.subject).and_then(|()| ask::put(self.subject, question, PIECE_LIMIT));
         answer.map_err(|other| same_kind(&other, self.failure))
     }
 
@@ -79,8 +78,8 @@ impl<S: Subject> Search<'_, S> {
                     Err(false) => return None,
                 }
             }
-                Some(_) if above.len() >= most => return None,
             match failing {
+                Some(_) if above.len() >= most => return None,
                 Some(child) => above.push(child),
                 None => break,
             }
@@ -93,10 +92,10 @@ impl<S: Subject> Search<'_, S> {
 
     /// The first bone at which part 1 or part 2 fails, in the order of the visits.
     fn turned_or_placed(&mut self, visits: &[BoneId], posture: &Posture) -> Place {
+        let skeleton = self.bones.motion().skeleton();
         if skeleton.len() > MOST_BONES {
             return Place::default();
         }
-        let skeleton = self.bones.motion().skeleton();
         let mut places: Vec<Option<BonePlace>> = vec![None; skeleton.len()];
         for bone in visits.iter().take(MOST_BONES).filter_map(|id| skeleton.get(*id)) {
             let parent = bone.parent.and_then(|parent| places[parent.0]);
