@@ -120,6 +120,37 @@ impl Question {
     }
 }
 
+/// A question and an answer of one exercise are those of any exercise, and back where the answer is of this one.
+macro_rules! of_exercise {
+    ($($exercise:ident: $module:ident),*) => {$(
+        impl From<$module::Question> for Question {
+            fn from(question: $module::Question) -> Question {
+                Question::$exercise(question)
+            }
+        }
+
+        impl TryFrom<Answer> for $module::Answer {
+            /// The answer, which is another exercise's.
+            type Error = Answer;
+
+            fn try_from(answer: Answer) -> Result<$module::Answer, Answer> {
+                match answer {
+                    Answer::$exercise(answer) => Ok(answer),
+                    other => Err(other),
+                }
+            }
+        }
+    )*};
+}
+
+of_exercise!(
+    Fk: fk,
+    Interpolation: interpolation,
+    Keyframes: keyframes,
+    Acclaim: acclaim,
+    TimeWarp: time_warp
+);
+
 /// Something that answers questions.
 pub trait Subject {
     /// Asks one question. `limit` is how long the answer may take, where that can be enforced.

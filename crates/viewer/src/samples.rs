@@ -4,8 +4,10 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use glam::Vec3;
-use skeleton::{Channel, Motion, Skeleton};
+use skeleton::acclaim::{BoneData, BoneId, Columns, LocalAxes, Root};
+use skeleton::{Channel, Motion, PositionChannels, Skeleton, acclaim};
 
+use crate::motion::bones::Bones;
 use crate::motion::source::Source;
 use crate::motion::stage::Stage;
 
@@ -49,6 +51,26 @@ pub fn walk_with(skeleton: impl Fn(&str) -> String, line: impl Fn(&str) -> Optio
 /// The motion of bones in two files.
 pub fn bones(skeleton: &Path, motion: &Path) -> Arc<Stage> {
     Source { skeleton: Some(skeleton.into()), ..Source::new(motion) }.read().unwrap().stage
+}
+
+/// A root and so many bones, each on the one before and of length 1 along Y, in one frame in which nothing is turned.
+pub fn chain_of_bones(count: usize) -> acclaim::Motion {
+    let mut skeleton = acclaim::Skeleton::new(Root::default()).unwrap();
+    (0..count).fold(BoneId::ROOT, |parent, index| {
+        let (name, axis, dofs) = (format!("bone{index}"), LocalAxes::WORLD, Vec::new());
+        skeleton.add_bone(parent, BoneData { name, direction: Vec3::Y, length: 1.0, axis, dofs }).unwrap()
+    });
+    let columns = Columns::new(skeleton);
+    let row = vec![0.0; columns.len()];
+    acclaim::Motion::new(columns, 1, row).unwrap()
+}
+
+/// The stage of that chain.
+pub fn stage_of_bones(count: usize) -> Stage {
+    let motion = chain_of_bones(count);
+    let joints = parser::acclaim::to_joints(&motion, 0.1).unwrap();
+    let bones = Bones::new(motion, joints.skeleton());
+    Stage::new(joints, PositionChannels::Replace).with_bones(bones)
 }
 
 /// A root that walks along X and bobs, a left and a right limb on it, and a tip each.

@@ -13,7 +13,7 @@ use super::values::{Side, parse_rate, parse_scale, parse_size, parse_speed};
 use super::warp::WarpArguments;
 use crate::live::mover::Mover;
 use crate::live::package::Package;
-use crate::motion::source::{Source, USUAL_RATE, Warping};
+use crate::motion::source::{Source, USUAL_RATE};
 use crate::motion::upright::Up;
 use crate::output::frames::{self, FrameRange};
 use crate::scene::Style;
@@ -199,9 +199,7 @@ impl Arguments {
                 "--rate is for .amc files, which do not say how fast they are; {title} says it: Frame Time"
             ));
         }
-        let twice = Warping { frames: None, keyframes: None };
-        let usual = (self.exercise == Package::TimeWarp).then_some(twice);
-        Ok(self.warp.beside(sources, usual))
+        Ok(self.warp.beside(sources, self.exercise.mover().and_then(Mover::usual_warp)))
     }
 
     /// What to write, when there is to be no window.

@@ -14,7 +14,7 @@ use crate::draw::Painter;
 use crate::draw::canvas::Canvas;
 use crate::live::board::Board;
 use crate::live::mover::Mover;
-use crate::live::student::Status;
+use crate::live::student::{Points, Status};
 use crate::live::version::Version;
 use crate::live::worker;
 use crate::motion::source::Source;
@@ -114,9 +114,7 @@ impl Studio {
             for recorded in self.answers.iter_mut().flatten() {
                 recorded.standing.board = Some(board.clone());
             }
-            for (app, behind) in self.gallery.apps_mut().iter_mut().zip(self.answers.iter().skip(1)) {
-                app.show_standing(behind.as_ref().map(|behind| behind.standing.clone()));
-            }
+            self.gallery.show_points(mover, &Points { board: Some(board), ..Points::default() });
         }
     }
 

@@ -86,6 +86,11 @@ impl Live {
         OfMotion { mover: self.mover, student: &self.student, motion }
     }
 
+    /// The exercise.
+    pub fn mover(&self) -> Mover {
+        self.mover
+    }
+
     /// Whether the functions have anything to do with the motion on `stage`.
     pub fn moves(&self, stage: &Stage) -> bool {
         self.mover.moves(stage)
@@ -96,7 +101,7 @@ impl Live {
         &self.student
     }
 
-    /// Asks for the details of a frame: see [`Student::details`].
+    /// The same, who can be asked for the [details](Student::details) of a frame.
     pub fn student_mut(&mut self) -> &mut Student {
         &mut self.student
     }

@@ -2,6 +2,7 @@
 
 use crate::live::package::Package;
 use crate::live::student::time_warp;
+use crate::motion::source::Warping;
 use crate::motion::stage::Stage;
 
 /// An exercise whose functions say, for each frame, where everything is. How its functions are asked for frames is
@@ -45,15 +46,29 @@ impl Mover {
 
     /// Whether one answer holds all frames of the motion on `stage`, whichever of them is asked about. Where one fails, all do.
     pub(crate) fn is_asked_whole(self, stage: &Stage) -> bool {
-        self == Mover::TimeWarp && time_warp::is_asked_whole(stage)
+        match self {
+            Mover::Fk | Mover::Acclaim => false,
+            Mover::TimeWarp => time_warp::is_asked_whole(stage),
+        }
     }
 
-    /// The parts, from 0, that put things in their places. Before all of these are begun nothing can be where it belongs.
-    pub fn placing_parts(self) -> &'static [usize] {
+    /// How motions are warped where nothing is said of it; `None` where they are not.
+    pub(crate) fn usual_warp(self) -> Option<Warping> {
+        match self {
+            Mover::Fk | Mover::Acclaim => None,
+            // To twice as many frames.
+            Mover::TimeWarp => Some(Warping { frames: None, keyframes: None }),
+        }
+    }
+
+    /// The parts, from 0, that put things in their places in the motion on `stage`. Before all of these are begun nothing can be
+    /// where it belongs.
+    pub fn placing_parts(self, stage: &Stage) -> &'static [usize] {
         match self {
             Mover::Fk => &[2],
             Mover::Acclaim => &[1, 2],
-            Mover::TimeWarp => &[2],
+            Mover::TimeWarp if self.is_asked_whole(stage) => &[2],
+            Mover::TimeWarp => &[1],
         }
     }
 

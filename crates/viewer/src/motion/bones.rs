@@ -1,7 +1,7 @@
 //! The bones that the joints of a motion stand for, where it was read from Acclaim files.
 
 use glam::{Quat, Vec3};
-use skeleton::acclaim::{Bone, BoneId, BonePlace, Motion, Posture};
+use skeleton::acclaim::{AcclaimFunctions, Bone, BoneId, BonePlace, Motion, Posture};
 use skeleton::{Pose, RotationOrder, Transform};
 
 /// A motion of bones, beside the same motion of joints as [`parser::acclaim::to_joints`] makes it: a joint stands for the
@@ -82,7 +82,7 @@ impl Bones {
 
     /// The same, into `places`, whose memory is used again.
     pub fn read_reference(&self, posture: &Posture, places: &mut Vec<Option<BonePlace>>) {
-        exam::acclaim::read_places(self.motion.skeleton(), posture, &solutions::ACCLAIM, places);
+        exam::acclaim::read_places(self.motion.skeleton(), posture, &RIGHT, places);
     }
 
     /// The bones that turn about their axes in another order than Rz Ry Rx, which is that of the exercise: their degrees of
@@ -93,12 +93,19 @@ impl Bones {
     }
 }
 
+/// The reference solution, but that its part 3 does not call itself: the bones of a file may hang on each other to any depth.
+/// They stand parents first.
+const RIGHT: AcclaimFunctions = AcclaimFunctions {
+    visit_bones: |skeleton, _, visitor| skeleton.bones().iter().for_each(|bone| visitor.visit(bone)),
+    ..solutions::ACCLAIM
+};
+
 const NOWHERE: Transform = Transform { rotation: Quat::NAN, position: Vec3::NAN };
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::samples::{walk, walk_with};
+    use crate::samples::{chain_of_bones, walk, walk_with};
 
     #[test]
     fn joints_are_where_the_bones_for_which_they_stand_start_and_end() {
@@ -148,5 +155,20 @@ mod tests {
         let lost = pose.transforms().iter().filter(|transform| transform.position.is_nan()).count();
         assert!(pose.transforms()[joint].position.is_nan());
         assert_eq!(lost, 1);
+    }
+
+    #[test]
+    fn a_chain_of_any_depth_has_its_places() {
+        const COUNT: usize = 200_000;
+        let places = || {
+            let bones = Bones::new(chain_of_bones(COUNT), &skeleton::Skeleton::new());
+            bones.reference(&Posture::default())
+        };
+        // As much as a thread usually has.
+        let thread = std::thread::Builder::new().stack_size(2 << 20).spawn(places);
+        let places = thread.unwrap().join().unwrap();
+        assert_eq!(places.len(), COUNT + 1);
+        assert!(places.iter().all(Option::is_some));
+        assert_eq!(places[COUNT].unwrap().end, Vec3::Y * COUNT as f32);
     }
 }

@@ -1,6 +1,8 @@
 //! Several motions in one window: side by side, or each by itself.
 
 use crate::draw::timeline::Bar;
+use crate::live::mover::Mover;
+use crate::live::student::Points;
 use crate::view::app::App;
 use crate::window::keys::Action;
 
@@ -104,6 +106,14 @@ impl Gallery {
         self.keep_in_step();
     }
 
+    /// Shows the points of a student's functions, which are of the exercise `mover`, also with the motions that these do not
+    /// move: beside the original of a warped motion there is more room than with the warped one.
+    pub fn show_points(&mut self, mover: Mover, points: &Points) {
+        for app in &mut self.apps {
+            app.show_points_of_other((!mover.moves(app.stage())).then(|| points.clone()));
+        }
+    }
+
     /// Whether a place in a window of `size` pixels is on a scrub bar.
     pub fn on_bar(&self, place: (f32, f32), size: (usize, usize)) -> bool {
         self.tiles(size).any(|tile| {
@@ -175,6 +185,7 @@ mod tests {
 
     use super::*;
     use crate::motion::stage::Stage;
+    use crate::motion::time_map::TimeMap;
     use crate::samples;
 
     fn gallery(count: usize) -> Gallery {
@@ -239,6 +250,19 @@ mod tests {
         assert_eq!(playing(&gallery), 2, "the short one has ended");
         gallery.act(Action::Play);
         assert_eq!(playing(&gallery), 0);
+    }
+
+    #[test]
+    fn points_are_shown_with_the_motions_that_the_functions_do_not_move() {
+        let stage = Stage::new(samples::chain(9, 1.0), PositionChannels::Replace);
+        let warped = stage.warped(TimeMap::Whole { old: 9, new: 18 });
+        let app = |stage| App::new(Arc::new(stage), "a.bvh".into(), Vec::new(), (640, 480));
+        let mut gallery = Gallery::new(vec![app(stage), app(warped)]);
+        for (mover, expected) in [(Mover::TimeWarp, [true, false]), (Mover::Fk, [false; 2])] {
+            gallery.show_points(mover, &Points { grading: true, ..Points::default() });
+            let shown: Vec<bool> = gallery.apps().iter().map(|app| app.points_of_other().is_some()).collect();
+            assert_eq!(shown, expected, "{mover:?}");
+        }
     }
 
     proptest! {

@@ -107,13 +107,11 @@ impl Session {
                     let (package, standing) = (sister.package(), sister.standing(motion));
                     app.show_sister(Some(app::Sister { package, standing }));
                 }
-                // What is warped is behind its original.
-                Functions::Student(live) if !live.moves(app.stage()) => {
-                    let standing = live.student().standing(motion + 1, app.frame());
-                    app.show_standing(Some(standing));
-                }
                 Functions::Student(_) | Functions::Reference(..) => {}
             }
+        }
+        if let Functions::Student(live) = &self.functions {
+            self.gallery.show_points(live.mover(), &live.student().points());
         }
     }
 

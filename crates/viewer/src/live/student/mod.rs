@@ -73,6 +73,24 @@ pub struct Standing {
     pub grading: bool,
 }
 
+/// The points of a student's functions, as far as they are known. They are the same whatever frame or motion is shown.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Points {
+    /// Those of the last save, when they are known.
+    pub board: Option<Arc<Board>>,
+    /// Those of an earlier save, for as long as those of the last one are not known.
+    pub former: Option<Arc<Board>>,
+    /// Whether the questions for points are being asked.
+    pub grading: bool,
+}
+
+impl Standing {
+    /// The points alone.
+    pub fn points(&self) -> Points {
+        Points { board: self.board.clone(), former: self.former.clone(), grading: self.grading }
+    }
+}
+
 /// What the terminal is told, once for every save.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum News {
@@ -268,8 +286,14 @@ impl Student {
             (None, None) if self.ready => Status::Asking,
             (None, None) => Status::Compiling,
         };
+        let Points { board, former, grading } = self.points();
+        Standing { status, current, board, former, grading }
+    }
+
+    /// The points, as far as they are known.
+    pub fn points(&self) -> Points {
         let former = self.former.as_ref().filter(|_| self.board.is_none()).cloned();
-        Standing { status, current, board: self.board.clone(), former, grading: self.grading }
+        Points { board: self.board.clone(), former, grading: self.grading }
     }
 
     /// The newest pose at hand: what the functions made of the frame as they were saved last, or else before that.

@@ -156,12 +156,10 @@ impl Work {
         if on_show {
             self.desk.plan().hear(&at, frames.start);
         }
-        let patient = frames.len() > 1 && !self.desk.plan().is_wary();
-        let limit = if patient { PATIENCE } else { FRAME_LIMIT };
-        match ask::poses(self.mover, subject, &at.stage, frames.clone(), limit) {
+        let (asked, limit) = self.with_all(&at, frames.clone());
+        match ask::poses(self.mover, subject, &at.stage, asked.clone(), limit) {
             Ok(poses) => {
-                self.desk.plan().settle(&at, frames.clone());
-                self.send(Event::Frames(at, frames.start, poses));
+                self.answered(at, asked, poses);
                 if on_show {
                     // What was written to the standard error is under way for a little longer than the answer.
                     let _ = ask::warm_up(subject);
@@ -180,18 +178,33 @@ impl Work {
 
     fn place(&mut self, at: Motion, frame: usize, failure: Arc<Failure>, subject: &mut impl Subject) {
         let place = narrow::find(self.mover, subject, &at.stage, frame, &failure);
-        if place == Place::default()
-            && let Ok(poses) = ask::poses(self.mover, subject, &at.stage, frame..frame + 1, FRAME_LIMIT)
-        {
-            // It comes back after all: the machine was busy with something else, or the functions are moody.
-            self.desk.plan().settle(&at, frame..frame + 1);
-            return self.send(Event::Frames(at, frame, poses));
+        if place == Place::default() {
+            let (asked, limit) = self.with_all(&at, frame..frame + 1);
+            if let Ok(poses) = ask::poses(self.mover, subject, &at.stage, asked.clone(), limit) {
+                // It comes back after all: the machine was busy with something else, or the functions are moody.
+                return self.answered(at, asked, poses);
+            }
         }
         let trouble = self.show(at.clone(), frame, &failure, place);
         self.desk.plan().narrowed(&at, frame, failure);
         if !std::mem::replace(&mut self.told, true) {
             self.tell(News::Trouble(trouble));
         }
+    }
+
+    /// What to ask in order to know of `frames`, and for how long. Where all frames are made at once, whichever are wanted, it
+    /// is all of them: so they are made once, and have the time that all of them take.
+    fn with_all(&self, at: &Motion, frames: Range<usize>) -> (Range<usize>, Duration) {
+        if self.mover.is_asked_whole(&at.stage) {
+            return (0..at.stage.frame_count(), PATIENCE);
+        }
+        let patient = frames.len() > 1 && !self.desk.plan().is_wary();
+        (frames, if patient { PATIENCE } else { FRAME_LIMIT })
+    }
+
+    fn answered(&self, at: Motion, frames: Range<usize>, poses: Vec<Posed>) {
+        self.desk.plan().settle(&at, frames.clone());
+        self.send(Event::Frames(at, frames.start, poses));
     }
 
     /// Whether the functions can still be asked after `failure`.

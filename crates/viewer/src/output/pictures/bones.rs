@@ -117,7 +117,7 @@ impl Studio {
         recorded.standing.board = Some(Arc::new(Board::of(&mut subject, Mover::TimeWarp.package())));
         let app = |stage| App::new(stage, "walk.amc".into(), Vec::new(), (SIZE.0 / 2, SIZE.1));
         let mut gallery = Gallery::new(vec![app(self.walk.clone()), app(warped)]);
-        gallery.apps_mut()[0].show_standing(Some(recorded.standing.clone()));
+        gallery.show_points(Mover::TimeWarp, &recorded.standing.points());
         gallery.go_to(1, FRAME);
         let mut screen = Screen::new(SIZE);
         let shown = |motion: usize| if motion == 1 { Shown::Student(&recorded) } else { Shown::Reference };

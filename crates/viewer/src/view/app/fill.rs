@@ -76,7 +76,7 @@ impl App {
         let begun = |board: &Board, part: usize| {
             board.rows.get(part).is_none_or(|row| row.state != PartState::NotStarted)
         };
-        let placing = mover.map_or(&[][..], Mover::placing_parts);
+        let placing = mover.map_or(&[][..], |mover| mover.placing_parts(stage));
         let judged = board.is_some_and(|board| placing.iter().all(|part| begun(board, *part)));
         let solid = match shown {
             Shown::Reference => Some(interpolated.unwrap_or(&memory.reference)),

@@ -17,7 +17,7 @@ use skeleton::acclaim::{BonePlace, Posture};
 use skeleton::{Frame, Joint, Pose};
 
 use crate::camera::Camera;
-use crate::live::student::Standing;
+use crate::live::student::Points;
 use crate::motion::stage::{Stage, tips};
 use crate::scene::Style;
 use crate::view::answers::Answers;
@@ -112,8 +112,8 @@ pub struct App {
     editing: Editing,
     /// Of an exercise on editing.
     sister: Option<Sister>,
-    /// How things stand with functions that move the motion beside this one.
-    of_other: Option<Standing>,
+    /// The points of functions that do not move this motion.
+    points_of_other: Option<Points>,
     /// How it is warped.
     warp: Option<Warp>,
     /// Whether it is shown with a warped one, or is one; and the stretch that is warped of the other.
@@ -156,7 +156,7 @@ impl App {
             selected: None,
             editing: Editing::default(),
             sister: None,
-            of_other: None,
+            points_of_other: None,
             paired: false,
             stretch: None,
             memory: Memory::default(),

@@ -7,7 +7,7 @@ use skeleton::Representation;
 use super::{App, Shown};
 use crate::edit::{Edited, is_too_long};
 use crate::live::student::Extra;
-use crate::live::student::time_warp::MOST_PLACES;
+use crate::live::student::time_warp::places_step;
 use crate::motion::time_map::{TimeMap, position_of};
 use crate::scene::{Plot, Pool, Stroke, Tick};
 use crate::view::answers::Answers;
@@ -80,7 +80,7 @@ impl App {
             Extra::Warp { place: Some(place), .. } => Some(scale.place((frame, position_of(place)))),
             _ => None,
         };
-        let step = map.frame_count().div_ceil(MOST_PLACES).max(1);
+        let step = places_step(map);
         let points = (0..map.frame_count()).step_by(step).filter_map(at);
         // What is behind the original's end has no place in the plot.
         let mut points = points.take_while(|(_, old)| *old <= 1.0).peekable();

@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use super::{Aim, App};
 use crate::camera::Camera;
-use crate::live::student::Standing;
+use crate::live::student::Points;
 use crate::motion::stage::Stage;
 use crate::motion::time_map::TimeMap;
 use crate::view::texts;
@@ -76,14 +76,14 @@ impl App {
         self.stretch = stretch;
     }
 
-    /// Shows how things stand with a student's functions that move the other motion of the pair: here there is room for points.
-    pub fn show_standing(&mut self, standing: Option<Standing>) {
-        self.of_other = standing;
+    /// Shows the points of a student's functions that move the other motion of the pair, and not this one: here there is room.
+    pub(in crate::view) fn show_points_of_other(&mut self, points: Option<Points>) {
+        self.points_of_other = points;
     }
 
-    /// How things stand with a student's functions that move the other motion of the pair.
-    pub fn standing_of_other(&self) -> Option<&Standing> {
-        self.of_other.as_ref()
+    /// The points of a student's functions that move the other motion of the pair, and not this one.
+    pub(in crate::view) fn points_of_other(&self) -> Option<&Points> {
+        self.points_of_other.as_ref()
     }
 
     /// Whether the motion is one of a pair: the original, or the warped one.

@@ -21,7 +21,7 @@ use skeleton::Pose;
 
 use crate::edit::Edited;
 use crate::live::mover::Mover;
-use crate::live::student::{Details, Posed, Standing};
+use crate::live::student::{Details, Points, Posed, Standing};
 use crate::scene::{Corner, Line, Off, Panel, Pool};
 use crate::view::app::{App, Shown};
 use crate::window::keys;
@@ -79,6 +79,13 @@ impl Facts<'_> {
         row.is_none_or(|row| row.state != PartState::NotStarted)
     }
 
+    /// Whether the student is known to have begun any part; while points are counted again, before the last save. Before that
+    /// nothing is wrong yet.
+    fn is_known_begun(&self) -> bool {
+        let board = self.standing.and_then(|standing| standing.board.as_ref().or(standing.former.as_ref()));
+        board.is_some_and(|board| board.rows.iter().any(|row| row.state != PartState::NotStarted))
+    }
+
     /// Whether what is shown is what the exercise on bones makes of the motion.
     fn is_of_bones(&self) -> bool {
         match self.shown {
@@ -89,13 +96,20 @@ impl Facts<'_> {
 
     /// Whether what is shown is a student's warped motion.
     fn is_of_warp(&self) -> bool {
-        matches!(self.shown, Shown::Student(answers) if answers.mover() == Mover::TimeWarp)
+        match self.shown {
+            Shown::Student(answers) => match answers.mover() {
+                Mover::TimeWarp => true,
+                Mover::Fk | Mover::Acclaim => false,
+            },
+            Shown::Reference => false,
+        }
     }
 
-    /// How things stand with the student's functions, whatever they do.
-    fn standing_of_any(&self) -> Option<&Standing> {
+    /// The points of the student's functions, whatever they do.
+    fn points(&self) -> Option<Points> {
         let sisters = self.app.sister().map(|sister| &sister.standing);
-        sisters.or(self.standing).or(self.app.standing_of_other())
+        let own = sisters.or(self.standing).map(Standing::points);
+        own.or_else(|| self.app.points_of_other().cloned())
     }
 
     /// Whether there is room for words beside the figure.

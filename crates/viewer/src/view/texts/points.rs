@@ -7,11 +7,11 @@ use crate::scene::{Line, Panel};
 
 /// `brief` leaves the hints out: they are in the terminal, too.
 pub fn write(facts: &Facts, brief: bool, panel: &mut Panel) {
-    let Some(standing) = facts.standing_of_any() else { return };
-    let (board, outdated) = match (&standing.board, &standing.former) {
+    let Some(points) = facts.points() else { return };
+    let (board, outdated) = match (&points.board, &points.former) {
         (Some(board), _) => (board, false),
         (None, Some(former)) => (former, true),
-        (None, None) if standing.grading => return panel.add(Line::Quiet, "counting your points…"),
+        (None, None) if points.grading => return panel.add(Line::Quiet, "counting your points…"),
         (None, None) => return,
     };
     match outdated {

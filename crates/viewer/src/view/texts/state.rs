@@ -133,8 +133,9 @@ fn undrawn(facts: &Facts, panel: &mut Panel) {
     }
     let (joints, outside) = (pose.len(), facts.outside);
     if outside > 0 {
+        let is_trouble = facts.standing.is_none() || facts.is_known_begun();
         panel.add(
-            Line::Trouble,
+            if is_trouble { Line::Trouble } else { Line::Text },
             format_args!(
                 "{outside} of {whose} {joints} joints are outside of the picture: press f to see all"
             ),

@@ -5,10 +5,11 @@ use skeleton::{JointId, Transform};
 
 use super::Facts;
 use super::number::{Rounded, Row, digits_for};
-use crate::live::student::time_warp::is_asked_whole;
+use crate::live::student::time_warp::{is_asked_whole, places_step};
 use crate::live::student::{Details, Extra};
 use crate::motion::time_map::{TimeMap, position_of};
 use crate::scene::{Line, Off, Panel};
+use crate::view::app::Shown;
 use crate::view::blame::warp::{Blame, Case, blame, is_same_place};
 
 /// Where part 1 says the frame is, how many frames part 3 gives, and of how many bones the posture is, where that is not right.
@@ -36,13 +37,35 @@ pub fn write(
         };
         return panel.add(Line::Quiet, why);
     }
-    if let Some(place) = place.filter(|place| !is_same_place(*place, map.place(facts.app.frame()))) {
-        panel.add(line(0), format_args!("part 1 puts it at {:.2}", position_of(place)));
+    match placed(facts, place, &map) {
+        Some((frame, place)) if !is_same_place(place, map.place(frame)) => {
+            let at = position_of(place);
+            match frame == facts.app.frame() {
+                true => panel.add(line(0), format_args!("part 1 puts it at {at:.2}")),
+                false => panel.add(line(0), format_args!("part 1 puts frame {frame} at {at:.2}")),
+            }
+        }
+        _ => {}
     }
     let wanted = map.frame_count();
     if let Some(given) = given.filter(|given| *given != wanted) {
         let frames = if given == 1 { "frame" } else { "frames" };
         panel.add(line(2), format_args!("part 3 gives {given} {frames}, and {wanted} are wanted"));
+    }
+}
+
+/// Where part 1 puts the shown frame, or else the one before it that it was asked about: of a long motion it is not asked about
+/// all.
+fn placed(facts: &Facts, place: Option<Between>, map: &TimeMap) -> Option<(usize, Between)> {
+    let frame = facts.app.frame();
+    if let Some(place) = place {
+        return Some((frame, place));
+    }
+    let Shown::Student(answers) = facts.shown else { return None };
+    let asked = frame - frame % places_step(map);
+    match answers.posed(asked)?.extra {
+        Extra::Warp { place, .. } => Some((asked, place?)),
+        Extra::Angles { .. } | Extra::Bones(_) => None,
     }
 }
 

@@ -4,11 +4,11 @@ use std::ops::Range;
 use std::time::Duration;
 
 use exam::acclaim::{Answer as AcclaimAnswer, Question as AcclaimQuestion};
-use exam::{Answer, Failure, Question, Subject};
+use exam::{Failure, Subject};
 use skeleton::Pose;
 use skeleton::acclaim::{BoneId, BonePlace};
 
-use super::unfit;
+use super::{put, unfit};
 use crate::live::student::posed::{Extra, Posed};
 use crate::motion::bones::Bones;
 use crate::motion::stage::Stage;
@@ -54,17 +54,6 @@ pub(in crate::live::student) fn visits(
     let skeleton = bones.motion().skeleton().clone();
     match put(subject, AcclaimQuestion::Visits { skeleton, bone: BoneId::ROOT }, limit)? {
         AcclaimAnswer::Visits(visits) => Ok(visits),
-        _ => Err(unfit()),
-    }
-}
-
-pub(in crate::live::student) fn put(
-    subject: &mut impl Subject,
-    question: AcclaimQuestion,
-    limit: Duration,
-) -> Result<AcclaimAnswer, Failure> {
-    match subject.ask(&Question::Acclaim(question), limit)? {
-        Answer::Acclaim(answer) => Ok(answer),
         _ => Err(unfit()),
     }
 }

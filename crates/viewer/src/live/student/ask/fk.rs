@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use exam::fk::{Answer as FkAnswer, LocalAnswer, PosedFrame, Question as FkQuestion};
-use exam::{Answer, Failure, Question, Subject};
+use exam::{Failure, Subject};
 use skeleton::{Frame, Joint};
 
-use super::unfit;
+use super::{put, unfit};
 use crate::live::student::posed::{Extra, Posed};
 use crate::motion::stage::Stage;
 
@@ -38,17 +38,6 @@ pub(in crate::live::student) fn locals(
 ) -> Result<Vec<LocalAnswer>, Failure> {
     match put(subject, FkQuestion::LocalQuaternions { joints: joints.to_vec(), angles }, limit)? {
         FkAnswer::LocalQuaternions(locals) if locals.len() == joints.len() => Ok(locals),
-        _ => Err(unfit()),
-    }
-}
-
-pub(in crate::live::student) fn put(
-    subject: &mut impl Subject,
-    question: FkQuestion,
-    limit: Duration,
-) -> Result<FkAnswer, Failure> {
-    match subject.ask(&Question::Fk(question), limit)? {
-        Answer::Fk(answer) => Ok(answer),
         _ => Err(unfit()),
     }
 }

@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::time::Duration;
 
 use exam::fk::Question as FkQuestion;
-use exam::{Failure, Question, Subject};
+use exam::{Answer, Failure, Question, Subject};
 use skeleton::Skeleton;
 
 use super::posed::{Details, Posed};
@@ -18,13 +18,14 @@ use crate::motion::stage::Stage;
 /// How long the functions may take for one batch of frames. It is far more than they need.
 pub const PATIENCE: Duration = Duration::from_secs(5);
 
-/// How long they may take for a single frame.
+/// How long they may take for a single frame, where it is made by itself.
 pub(super) const FRAME_LIMIT: Duration = Duration::from_secs(2);
 
 /// How long they may take for a piece of a frame, while the place is looked for at which they do not come back.
 pub(super) const PIECE_LIMIT: Duration = Duration::from_millis(500);
 
-/// Asks for the poses of `frames`, here and now, for at most [`PATIENCE`].
+/// Asks for the poses of `frames`, here and now. The functions may take [`PATIENCE`] for these, and where time warping makes a
+/// whole motion a moment more, to say where its frames are. A worker that has to be started may take as long once more.
 ///
 /// # Errors
 ///
@@ -77,6 +78,15 @@ pub(crate) fn details(
 pub(super) fn warm_up(subject: &mut impl Subject) -> Result<(), Failure> {
     let nothing = FkQuestion::Poses { skeleton: Skeleton::new(), frames: Vec::new() };
     subject.ask(&Question::Fk(nothing), PATIENCE).map(|_| ())
+}
+
+/// Puts a question of one exercise. Only an answer of the same exercise is one.
+pub(super) fn put<A: TryFrom<Answer>>(
+    subject: &mut impl Subject,
+    question: impl Into<Question>,
+    limit: Duration,
+) -> Result<A, Failure> {
+    subject.ask(&question.into(), limit)?.try_into().map_err(|_| unfit())
 }
 
 pub(super) fn unfit() -> Failure {

@@ -8,7 +8,7 @@ use exam::{Answer, Failure, Question, Subject};
 use skeleton::Pose;
 use skeleton::acclaim::{Between, Posture};
 
-use super::{PIECE_LIMIT, unfit};
+use super::{PIECE_LIMIT, put, unfit};
 use crate::live::student::posed::{Details, Extra, Posed};
 use crate::motion::bones::Bones;
 use crate::motion::stage::Stage;
@@ -18,7 +18,7 @@ use crate::motion::time_map::TimeMap;
 const MOST_BONES: usize = 1_000_000;
 
 /// Part 1 is asked about so many frames, evenly spread: enough for a curve.
-pub(crate) const MOST_PLACES: usize = 1_000;
+const MOST_PLACES: usize = 1_000;
 
 /// Whether part 3 makes the warped motion on `stage`, which has bones. Otherwise, in a stretch between keyframes and where
 /// there are too many frames, the places of frames are right ones, and part 2 blends what is there.
@@ -27,6 +27,11 @@ pub(crate) fn is_asked_whole(stage: &Stage) -> bool {
     let bones = bones.motion().skeleton().len();
     let fits = |count: usize| count.saturating_mul(bones) <= MOST_BONES;
     matches!(stage.warp(), Some(TimeMap::Whole { old, new }) if fits(old) && fits(new))
+}
+
+/// For its curve part 1 is asked about frame 0, and then at each step of so many frames.
+pub(crate) fn places_step(map: &TimeMap) -> usize {
+    map.frame_count().div_ceil(MOST_PLACES).max(1)
 }
 
 /// Asks for `frames` of a warped motion. What is not warped, or has no bones, is not asked about.
@@ -58,30 +63,46 @@ pub(in crate::live::student) fn poses(
 
 /// Where part 1 says the frames are: some of them, and a single one in any case. Where it fails nothing is known: part 3 need
 /// not call it.
-pub(in crate::live::student) fn places(
-    subject: &mut impl Subject,
-    map: &TimeMap,
-    frames: Range<usize>,
-) -> Vec<Option<Between>> {
-    let (old_count, new_count) = (map.old_count(), map.frame_count());
-    let step = if frames.len() == 1 { 1 } else { new_count.div_ceil(MOST_PLACES).max(1) };
+fn places(subject: &mut impl Subject, map: &TimeMap, frames: Range<usize>) -> Vec<Option<Between>> {
+    let step = if frames.len() == 1 { 1 } else { places_step(map) };
     let asked: Vec<usize> = frames.clone().filter(|index| index % step == 0).collect();
-    let question = |new_frame: &usize| {
-        Question::TimeWarp(WarpQuestion::Position { new_frame: *new_frame, old_count, new_count })
-    };
-    let questions: Vec<Question> = asked.iter().map(question).collect();
-    let (answers, _) = subject.ask_all(&questions.iter().collect::<Vec<_>>(), PIECE_LIMIT);
+    let (answers, _) = positions(subject, map, &asked);
     let mut places = vec![None; frames.len()];
-    for (index, answer) in asked.iter().zip(answers) {
-        if let Answer::TimeWarp(WarpAnswer::Position(place)) = answer {
-            places[index - frames.start] = Some(place);
-        }
+    for (index, place) in asked.iter().zip(answers) {
+        places[index - frames.start] = Some(place);
     }
     places
 }
 
+/// Asks part 1 where each of these `frames` is. Gives the places before the first frame at which it fails, and how it does.
+pub(in crate::live::student) fn positions(
+    subject: &mut impl Subject,
+    map: &TimeMap,
+    frames: &[usize],
+) -> (Vec<Between>, Option<Failure>) {
+    let (old_count, new_count) = (map.old_count(), map.frame_count());
+    let question = |new_frame: &usize| {
+        Question::TimeWarp(WarpQuestion::Position { new_frame: *new_frame, old_count, new_count })
+    };
+    let mut places = Vec::with_capacity(frames.len());
+    for frames in frames.chunks(MOST_PLACES) {
+        let questions: Vec<Question> = frames.iter().map(question).collect();
+        let (answers, failure) = subject.ask_all(&questions.iter().collect::<Vec<_>>(), PIECE_LIMIT);
+        for answer in answers {
+            let Answer::TimeWarp(WarpAnswer::Position(place)) = answer else {
+                return (places, Some(unfit()));
+            };
+            places.push(place);
+        }
+        if failure.is_some() {
+            return (places, failure);
+        }
+    }
+    (places, None)
+}
+
 /// What part 2 makes of each of these places in the old motion.
-fn blends(
+pub(in crate::live::student) fn blends(
     subject: &mut impl Subject,
     bones: &Bones,
     places: &[Between],
@@ -105,6 +126,11 @@ fn blend(bones: &Bones, Between { before, after, t }: Between) -> Question {
     Question::TimeWarp(WarpQuestion::Blend { from, to, t })
 }
 
+/// Whether the old motion has both frames.
+pub(in crate::live::student) fn is_there(map: &TimeMap, place: &Between) -> bool {
+    place.before.max(place.after) < map.old_count()
+}
+
 /// Asks part 2 what is in frame `frame`: at its right place, and at that which part 1 says, where that is
 /// [at work](is_asked_whole).
 pub(in crate::live::student) fn details(
@@ -118,8 +144,8 @@ pub(in crate::live::student) fn details(
         true => places(subject, &map, frame..frame + 1).pop().flatten(),
         false => None,
     };
-    let is_there = |place: &Between| place.before.max(place.after) < map.old_count();
-    let places: Vec<Between> = [map.place(frame)].into_iter().chain(place.filter(is_there)).collect();
+    let own = place.filter(|place| is_there(&map, place));
+    let places: Vec<Between> = [map.place(frame)].into_iter().chain(own).collect();
     let postures = blends(subject, bones, &places, limit)?;
     let mut poses = postures.iter().map(|posture| pose(bones, posture));
     let right = poses.next().ok_or_else(unfit)?;
@@ -140,15 +166,4 @@ fn pose(bones: &Bones, posture: &Posture) -> Pose {
     let mut pose = Pose::default();
     bones.pose(&bones.reference(posture), &mut pose);
     pose
-}
-
-pub(in crate::live::student) fn put(
-    subject: &mut impl Subject,
-    question: WarpQuestion,
-    limit: Duration,
-) -> Result<WarpAnswer, Failure> {
-    match subject.ask(&Question::TimeWarp(question), limit)? {
-        Answer::TimeWarp(answer) => Ok(answer),
-        _ => Err(unfit()),
-    }
 }

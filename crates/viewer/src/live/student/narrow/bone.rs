@@ -12,8 +12,11 @@ use super::{Place, same_kind, short};
 use crate::motion::bones::Bones;
 use crate::motion::stage::Stage;
 
-/// A question about one bone holds the whole skeleton. Beyond so many bones nobody would wait for all of them.
+/// A question about one bone holds the whole skeleton. With more bones than this nobody would wait for all of them.
 const MOST_BONES: usize = 500;
+
+/// Of questions that end in a loop or a crash, each of which takes long, so many are enough for the depth of a body.
+const MOST_COSTLY: usize = 12;
 
 pub(super) fn find(subject: &mut impl Subject, stage: &Stage, index: usize, failure: &Failure) -> Place {
     let Some(bones) = stage.bones() else { return Place::default() };
@@ -41,8 +44,7 @@ impl<S: Subject> Search<'_, S> {
 
     /// Puts a question. Without an answer it gives whether that is the failure whose place is looked for.
     fn put(&mut self, question: AcclaimQuestion) -> Result<AcclaimAnswer, bool> {
-        let answer =
-            ask::warm_up(self.subject).and_then(|()| ask::acclaim::put(self.subject, question, PIECE_LIMIT));
+        let answer = ask::warm_up(self.subject).and_then(|()| ask::put(self.subject, question, PIECE_LIMIT));
         answer.map_err(|other| same_kind(&other, self.failure))
     }
 
@@ -55,16 +57,19 @@ impl<S: Subject> Search<'_, S> {
     }
 
     /// The bone at which part 3 fails: it does so when it begins with this bone, and not when it begins with one that hangs on
-    /// it. Who fails at other bones like it, too, may have done so at any of them: then none is told.
+    /// it. Who fails at other bones like it, too, may have done so at any of them: then none is told, and neither is one that
+    /// takes too long to find.
     fn visited(&mut self) -> Option<BoneId> {
         let skeleton = self.bones.motion().skeleton();
-        let (mut above, mut asked) = (vec![BoneId::ROOT], 0);
+        if skeleton.len() > MOST_BONES {
+            return None;
+        }
+        let most = if matches!(self.failure, Failure::Panicked { .. }) { MOST_BONES } else { MOST_COSTLY };
+        let mut above = vec![BoneId::ROOT];
         while let Some(at) = above.last() {
             let mut failing = None;
             for child in skeleton.children(*at) {
-                asked += 1;
                 match self.visits(child.id) {
-                    _ if asked > MOST_BONES => return None,
                     Ok(_) => {}
                     Err(true) => {
                         failing = Some(child.id);
@@ -74,6 +79,7 @@ impl<S: Subject> Search<'_, S> {
                 }
             }
             match failing {
+                Some(_) if above.len() >= most => return None,
                 Some(child) => above.push(child),
                 None => break,
             }
@@ -87,6 +93,9 @@ impl<S: Subject> Search<'_, S> {
     /// The first bone at which part 1 or part 2 fails, in the order of the visits.
     fn turned_or_placed(&mut self, visits: &[BoneId], posture: &Posture) -> Place {
         let skeleton = self.bones.motion().skeleton();
+        if skeleton.len() > MOST_BONES {
+            return Place::default();
+        }
         let mut places: Vec<Option<BonePlace>> = vec![None; skeleton.len()];
         for bone in visits.iter().take(MOST_BONES).filter_map(|id| skeleton.get(*id)) {
             let parent = bone.parent.and_then(|parent| places[parent.0]);

@@ -70,12 +70,12 @@ fn part(
     };
     let mut pose = first_joints(subject, stage, frame, joint.0).ok()?;
     let question = FkQuestion::GlobalQuaternion { joint: this.clone(), local, pose: pose.clone() };
-    match ask::fk::put(subject, question, PIECE_LIMIT) {
+    match ask::put(subject, question, PIECE_LIMIT) {
         Ok(FkAnswer::GlobalQuaternion(rotation)) => pose[joint].rotation = rotation,
         Ok(_) => return None,
         Err(other) => return failing(1, &other),
     }
     let local_position = *frame.local_positions.get(joint.0)?;
     let question = FkQuestion::GlobalPosition { joint: this.clone(), local_position, pose };
-    ask::fk::put(subject, question, PIECE_LIMIT).err().and_then(|other| failing(2, &other))
+    ask::put::<FkAnswer>(subject, question, PIECE_LIMIT).err().and_then(|other| failing(2, &other))
 }

@@ -1,9 +1,10 @@
 //! Time warping: the part.
 //!
-//! Parts 1 and 2 are asked about the frame by themselves. Where both answer, it is part 3 that fails.
+//! Parts 1 and 2 are asked by themselves about every frame of which part 3 may ask them. Where both answer, it is part 3 that
+//! fails.
 
-use exam::time_warp::{Answer as WarpAnswer, Question as WarpQuestion};
 use exam::{Failure, Subject};
+use skeleton::acclaim::Between;
 
 use super::super::ask::time_warp::{self, is_asked_whole};
 use super::super::ask::{self, PIECE_LIMIT};
@@ -11,37 +12,40 @@ use super::{Place, same_kind};
 use crate::motion::stage::Stage;
 use crate::motion::time_map::TimeMap;
 
+/// Part 2 is asked about so many frames at once.
+const BLENDS_AT_ONCE: usize = 200;
+
 pub(super) fn find(subject: &mut impl Subject, stage: &Stage, index: usize, failure: &Failure) -> Place {
     let (Some(bones), Some(map)) = (stage.bones(), stage.warp()) else { return Place::default() };
-    let mut put = |question: WarpQuestion| -> Result<WarpAnswer, Failure> {
-        ask::warm_up(subject)?;
-        time_warp::put(subject, question, PIECE_LIMIT)
-    };
     let part = |part: usize| Place { part: Some(part), ..Place::default() };
-    let (old_count, new_count) = (map.old_count(), map.frame_count());
-    if is_asked_whole(stage) {
-        // Part 3 calls it for all frames, and may fail at any of them.
-        for new_frame in [index, 0, new_count.saturating_sub(1)] {
-            match put(WarpQuestion::Position { new_frame, old_count, new_count }) {
-                Err(other) if same_kind(&other, failure) => return part(0),
-                _ => {}
-            }
-        }
+    let is_whole = is_asked_whole(stage);
+    let frames: Vec<usize> = if is_whole { (0..map.frame_count()).collect() } else { vec![index] };
+    let (own, failed) = match ask::warm_up(subject) {
+        Ok(()) if is_whole => time_warp::positions(subject, &map, &frames),
+        Ok(()) => (Vec::new(), None),
+        Err(_) => return Place::default(),
+    };
+    if failed.is_some_and(|other| same_kind(&other, failure)) {
+        return part(0);
     }
-    let place = map.place(index);
-    let [from, to] = [place.before, place.after].map(|index| bones.motion().posture(index));
-    match put(WarpQuestion::Blend { from, to, t: place.t }) {
+    // Part 3 blends where part 1 says, if that is anywhere.
+    let own_place = |at: usize| own.get(at).copied().filter(|place| time_warp::is_there(&map, place));
+    let place = |(at, frame): (usize, &usize)| own_place(at).unwrap_or_else(|| map.place(*frame));
+    let places: Vec<Between> = frames.iter().enumerate().map(place).collect();
+    let blended = ask::warm_up(subject).and_then(|()| {
+        let mut some = places.chunks(BLENDS_AT_ONCE);
+        some.try_for_each(|places| time_warp::blends(subject, bones, places, PIECE_LIMIT).map(drop))
+    });
+    match blended {
         Err(other) if same_kind(&other, failure) => part(1),
-        Ok(_) if is_asked_whole(stage) => Place { cause: missing(subject, &map), ..part(2) },
+        Ok(()) if is_whole => Place { cause: missing(&own, &map), ..part(2) },
         _ => Place::default(),
     }
 }
 
-/// The first frame for which part 1 names one that the old motion does not have.
-fn missing(subject: &mut impl Subject, map: &TimeMap) -> Option<String> {
-    let places = time_warp::places(subject, map, 0..map.frame_count());
-    let named = places.into_iter().map(|place| place.map_or(0, |place| place.before.max(place.after)));
-    let (new, named) = named.enumerate().find(|(_, named)| *named >= map.old_count())?;
-    let last = map.old_count().saturating_sub(1);
+/// The first frame for which part 1 names one that the old motion does not have. `places` are where it says that frames are.
+fn missing(places: &[Between], map: &TimeMap) -> Option<String> {
+    let (new, place) = places.iter().enumerate().find(|(_, place)| !time_warp::is_there(map, place))?;
+    let (named, last) = (place.before.max(place.after), map.old_count().saturating_sub(1));
     Some(format!("part 1 names frame {named} for the new frame {new}, and the last old frame is {last}"))
 }

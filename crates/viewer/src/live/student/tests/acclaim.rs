@@ -170,6 +170,55 @@ fn an_endless_loop_or_recursion_in_part_3_is_told_with_its_bone_where_that_is_cl
     }
 }
 
+/// The solution, but that it fails when it is asked for bones in a chain. It counts what it is asked.
+struct Chained {
+    failure: Failure,
+    is_bad: fn(&exam::acclaim::Question) -> bool,
+    asked: usize,
+}
+
+impl Subject for Chained {
+    fn ask(&mut self, question: &Question, limit: Duration) -> Result<Answer, Failure> {
+        if let Question::Acclaim(question) = question {
+            self.asked += 1;
+            if (self.is_bad)(question) {
+                return Err(self.failure.clone());
+            }
+        }
+        InProcess(Functions::Acclaim(solutions::ACCLAIM)).ask(question, limit)
+    }
+}
+
+/// A question that is not answered takes as long as may be, and one about a large skeleton takes long, too.
+#[test]
+fn the_bone_is_not_looked_for_without_end() {
+    use exam::acclaim::Question::{Rotation, Visits};
+    use narrow::Place;
+    let timed_out = Failure::TimedOut { limit: Duration::from_secs(2) };
+    let panicked = Failure::Panicked { message: "no".into(), location: None };
+    let visits: fn(&exam::acclaim::Question) -> bool = |question| matches!(question, Visits { .. });
+    let tip: fn(&exam::acclaim::Question) -> bool = |question| match question {
+        Rotation { skeleton, bone, .. } => bone.0 + 1 == skeleton.len(),
+        _ => false,
+    };
+    let part3 = Place { part: Some(2), ..Place::default() };
+    for (bones, failure, is_bad, place, most) in [
+        (100, &timed_out, visits, &part3, 15),
+        (600, &timed_out, visits, &part3, 1),
+        (600, &panicked, visits, &part3, 1),
+        (600, &panicked, tip, &Place::default(), 1),
+    ] {
+        let mut subject = Chained { failure: failure.clone(), is_bad, asked: 0 };
+        let stage = samples::stage_of_bones(bones);
+        assert_eq!(narrow::find(Mover::Acclaim, &mut subject, &stage, 0, failure), *place);
+        assert!(subject.asked <= most, "{} questions about {bones} bones", subject.asked);
+    }
+    // A panic costs nothing, however deep it is.
+    let mut subject = Chained { failure: panicked.clone(), is_bad: tip, asked: 0 };
+    let found = narrow::find(Mover::Acclaim, &mut subject, &samples::stage_of_bones(100), 0, &panicked);
+    assert_eq!(found, Place { at: Some("bone bone99".into()), part: Some(0), cause: None });
+}
+
 #[test]
 fn an_answer_with_bones_missing_is_no_answer() {
     struct Short;

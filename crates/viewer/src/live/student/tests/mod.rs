@@ -1,6 +1,7 @@
 mod acclaim;
 mod faults;
 mod warp;
+mod whole;
 
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};

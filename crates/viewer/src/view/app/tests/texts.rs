@@ -165,3 +165,40 @@ fn in_a_small_window_points_leave_out_hints() {
         assert_eq!(said.contains("Hint: "), has_hint, "{size:?}: {said}");
     }
 }
+
+#[test]
+fn joints_outside_of_the_picture_are_no_trouble_before_anything_is_begun() {
+    use exam::{Functions, InProcess};
+    use grading::PartState::{NotStarted, Right, Wrong};
+    let warp = crate::motion::time_map::TimeMap::Whole { old: 480, new: 960 };
+    let of = |stage: Arc<Stage>| App::new(stage, "walk".into(), Vec::new(), SIZE);
+    for (mover, functions, mut app) in [
+        (Mover::Fk, Functions::Fk(solutions::FK), app(5)),
+        (Mover::Acclaim, Functions::Acclaim(solutions::ACCLAIM), of(samples::walk())),
+        (
+            Mover::TimeWarp,
+            Functions::TimeWarp(solutions::TIME_WARP),
+            of(Arc::new(samples::walk().warped(warp))),
+        ),
+    ] {
+        let mut recorded = Recorded::ask(mover, &mut InProcess(functions), &app.stage, [0]);
+        let pose = &mut recorded.poses.get_mut(&0).unwrap().pose;
+        pose.transforms_mut().iter_mut().for_each(|joint| joint.position.x += 1e5);
+        let mut line = |recorded: &Recorded| {
+            let scene = app.scene(Shown::Student(recorded), SIZE);
+            let lines: Vec<_> = scene.panels.iter().flat_map(|panel| panel.lines()).collect();
+            let told = lines.iter().find(|(_, text)| text.contains("are outside of the picture"));
+            told.unwrap_or_else(|| panic!("{lines:?}")).0
+        };
+        assert_eq!(line(&recorded), Line::Text, "{mover:?}: nothing is known yet");
+        recorded.standing.board = board([NotStarted; 3]);
+        assert_eq!(line(&recorded), Line::Text, "{mover:?}");
+        for states in [[Wrong, NotStarted, NotStarted], [NotStarted, NotStarted, Right]] {
+            recorded.standing.board = board(states);
+            assert_eq!(line(&recorded), Line::Trouble, "{mover:?}");
+            recorded.standing.former = recorded.standing.board.take();
+            assert_eq!(line(&recorded), Line::Trouble, "{mover:?}: points are being counted again");
+            recorded.standing.former = None;
+        }
+    }
+}

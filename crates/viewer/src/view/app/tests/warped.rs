@@ -10,7 +10,10 @@ use crate::motion::time_map::TimeMap;
 
 /// The walk with twice as many frames.
 fn walk(frame: usize) -> App {
-    let map = TimeMap::Whole { old: 480, new: 960 };
+    warped(TimeMap::Whole { old: 480, new: 960 }, frame)
+}
+
+fn warped(map: TimeMap, frame: usize) -> App {
     let mut app = App::new(Arc::new(samples::walk().warped(map)), "walk.amc".into(), Vec::new(), SIZE);
     app.go_to(frame);
     app
@@ -89,4 +92,27 @@ fn before_there_is_an_answer_a_bone_is_told_as_it_should_be() {
     app.select(Some(1));
     let said = words(&app.scene(Shown::Student(&Recorded::new(Mover::TimeWarp, Status::Compiling)), SIZE));
     assert!(said.contains("lhipjoint") && said.contains("expected ") && !said.contains("yours"), "{said}");
+}
+
+#[test]
+fn joints_are_judged_by_the_part_that_is_at_work() {
+    let aside = TimeWarpFunctions {
+        blend: |from, _, _| {
+            let mut posture = from.clone();
+            posture.translations[0].x += 100.0;
+            posture
+        },
+        ..TEMPLATE
+    };
+    let stretch = TimeMap::stretch(480, (100, 160), 200).unwrap();
+    let whole = |new| TimeMap::Whole { old: 480, new };
+    for (map, at_work) in [(stretch, 1), (whole(100_000), 1), (whole(960), 2)] {
+        for begun in 0..3 {
+            let mut app = warped(map, 300);
+            let states = [0, 1, 2].map(|part| if part == begun { Wrong } else { NotStarted });
+            let scene = scene(&mut app, aside, states);
+            let is_off = scene.figures[1].joints.iter().any(|dot| dot.off != Off::Right);
+            assert_eq!(is_off, begun == at_work, "{map:?}: part {begun}");
+        }
+    }
 }

@@ -49,6 +49,17 @@ fn a_late_part_1_is_to_blame_in_every_frame_of_a_long_motion() {
 }
 
 #[test]
+fn where_part_1_puts_a_frame_is_told_in_every_frame_of_a_long_motion() {
+    let functions = TimeWarpFunctions { old_position: late, warp: warp_late, ..RIGHT };
+    for (frame, told) in [(600, "it at 238.80"), (601, "frame 600 at 238.80"), (602, "it at 239.60")] {
+        let said = said(functions, TimeMap::Whole { old: 480, new: 1200 }, frame);
+        assert!(said.contains(&format!("part 1 puts {told}")), "{frame}: {said}");
+    }
+    let said = said(RIGHT, TimeMap::Whole { old: 480, new: 1200 }, 601);
+    assert!(!said.contains("part 1 puts"), "{said}");
+}
+
+#[test]
 fn the_mark_stays_on_the_curve_of_part_1_in_every_frame_of_a_long_motion() {
     let functions = TimeWarpFunctions { old_position: late, warp: warp_late, ..RIGHT };
     for frame in [600, 601, 602] {
