@@ -72,11 +72,18 @@ fn blanks_comments_and_line_ends_do_not_matter_in_a_skeleton() {
         asf("thigh shin", "THIGH Shin"),
         asf("    hip thigh\n    thigh shin\n", "    thigh shin\n    hip thigh\n    shin\n"),
         format!("{ASF}:skin body.obj\n  other.obj\n"),
+        moved_to_the_end(":name FIGURE\n"),
+        moved_to_the_end(":units\n  mass 1.0\n  length 0.45\n  angle deg\n"),
     ];
     let expected = figure();
     for text in same {
         assert_eq!(skeleton(&text), expected, "{text}");
     }
+}
+
+/// The skeleton's text with one of its sections behind all others.
+fn moved_to_the_end(section: &str) -> String {
+    asf(section, "") + section
 }
 
 #[test]
