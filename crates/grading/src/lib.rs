@@ -36,7 +36,7 @@ pub use report::{
 };
 pub use rubric::{CheckRubric, PartRubric, Rubric};
 pub use self_grading::{CHECK_LIMIT, Graded, self_grade};
-pub use tables::{misconceptions_table, rubric_table};
+pub use tables::{checks_table, misconceptions_table, rubric_table};
 
 /// The seed of the questions that students see. Marks are made with another one, so that answers learnt by heart fail.
 pub const PUBLIC_SEED: u64 = 15;

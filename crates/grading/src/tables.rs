@@ -16,6 +16,18 @@ pub fn rubric_table(rubric: &Rubric) -> String {
     table
 }
 
+/// The same for those who mark: with the names by which checks are spoken of in results and in overrides.
+pub fn checks_table(rubric: &Rubric) -> String {
+    let mut table = String::from("| name | part | check | points |\n|---|---|---|---|\n");
+    for part in rubric.parts {
+        for check in part.checks {
+            let name = format!("`{}/{}`", part.id, check.id);
+            row(&mut table, [&name, part.title, check.title, &check.points.to_string()]);
+        }
+    }
+    table
+}
+
 /// What each misconception costs, and what the student is told first.
 pub fn misconceptions_table<'a>(
     parts: impl IntoIterator<Item = (&'a PartRubric, Vec<Misconception>)>,

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use glam::{Quat, Vec3};
-use grading::{EXERCISES, Exercise, misconceptions_table, rubric_table};
+use grading::{EXERCISES, Exercise, checks_table, misconceptions_table, rubric_table};
 use parser::acclaim;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use skeleton::acclaim::{Bone, BoneId};
@@ -34,13 +34,13 @@ fn texts() -> BTreeMap<String, String> {
 #[test]
 fn tables_come_from_the_rubric() {
     for Exercise { rubric, misconceptions, .. } in &EXERCISES {
-        let points = rubric_table(rubric);
+        let (points, checks) = (rubric_table(rubric), checks_table(rubric));
         let all = rubric.parts.iter().map(|part| (part, misconceptions(part.id)));
         let mistakes = misconceptions_table(all);
         let name = rubric.exercise;
         for (file, place, table) in [
             (format!("docs/{name}.md"), "rubric".to_owned(), &points),
-            ("docs/marking.md".to_owned(), format!("{name} rubric"), &points),
+            ("docs/marking.md".to_owned(), format!("{name} rubric"), &checks),
             ("docs/marking.md".to_owned(), format!("{name} misconceptions"), &mistakes),
         ] {
             check_table(&file, &place, table);

@@ -15,7 +15,7 @@ pub static RUBRIC: Rubric = Rubric {
             like_template: "no rotation, whatever the angles",
             checks: &[
                 CheckRubric::new("root", 1, "the root, whose parent is the world"),
-                CheckRubric::new("angles", 2, "a bone's three angles, in the order Z, Y, X"),
+                CheckRubric::new("angles", 2, "a bone's three angles, multiplied as Rz Ry Rx"),
                 CheckRubric::new("rest", 2, "axes that are turned against the parent's at rest"),
             ],
         },

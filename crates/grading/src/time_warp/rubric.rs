@@ -16,7 +16,7 @@ pub static RUBRIC: Rubric = Rubric {
             checks: &[
                 CheckRubric::new("slower", 2, "more frames than before"),
                 CheckRubric::new("faster", 1, "fewer frames than before"),
-                CheckRubric::new("last", 1, "the end of the motion: there is no frame behind the last one"),
+                CheckRubric::new("last", 1, "the end of the motion: there is no frame after the last one"),
                 CheckRubric::new("long", 1, "motions of millions of frames"),
             ],
         },

@@ -15,7 +15,7 @@ pub struct WarpArguments {
     #[arg(long, value_name = "FRAMES", value_parser = parse_count, allow_negative_numbers = true)]
     warp: Option<usize>,
 
-    /// Warps only the stretch between these two keyframes: --warp says how many frames it is from the one to the other, and all
+    /// Warps only the stretch between these two frames: --warp says how many frames it is from the one to the other, and all
     /// else keeps its length
     #[arg(long, value_name = "FRAME,FRAME")]
     between: Option<Stretch>,

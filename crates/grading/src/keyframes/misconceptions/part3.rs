@@ -107,7 +107,7 @@ fn about_the_choice() -> Vec<Misconception> {
             id: "ends_removed",
             title: "You let the first or the last frame go.",
             explanation: "A frame is interpolated between a keyframe before it and one after it. In front of the first keyframe \
-                          and behind the last one nothing can be interpolated, so these two stay.",
+                          and after the last one nothing can be interpolated, so these two stay.",
             hint: "Which cost do the two ends have in your function, and can it ever be the least?",
             seen_in: ALL,
             costs: ALL,
@@ -176,7 +176,7 @@ fn about_how_many() -> Vec<Misconception> {
         },
         Misconception {
             id: "so_many_removed",
-            title: "You remove `count` keyframes instead of keeping so many.",
+            title: "You remove `count` keyframes instead of keeping that many.",
             explanation: "`count` says how many keyframes are wanted at the end. How many must go for that depends on how many \
                           frames there are.",
             hint: "How many removals does it take from 12 keyframes to 10?",

@@ -95,7 +95,7 @@ fn about_the_end() -> Vec<Misconception> {
         Misconception {
             id: "past_the_end",
             title: "Your frame after can be one that is not there.",
-            explanation: "The last frame of 4 is number 3. A place behind it has no frame after, and with the index 4 the \
+            explanation: "The last frame of 4 is number 3. A place after it has no frame after, and with the index 4 the \
                           program panics.",
             hint: "What does your function give for the last frame when a motion becomes twice as long?",
             seen_in: LAST,
@@ -107,7 +107,7 @@ fn about_the_end() -> Vec<Misconception> {
             title: "Behind the last frame you go on with the first.",
             explanation: "That would be right for a motion that repeats itself. Here it stops: the figure would move half-way back \
                           to where it began, in the last moment.",
-            hint: "What does the `%` do to the frame behind the last one?",
+            hint: "What does the `%` do to the frame after the last one?",
             seen_in: LAST,
             costs: LAST,
             variants: ways![RoundAgain],
@@ -117,7 +117,7 @@ fn about_the_end() -> Vec<Misconception> {
             title: "Behind the last frame you go on as between the two frames before.",
             explanation: "Your `t` is above 1 there, and a figure that goes on for longer than it was recorded goes where nobody \
                           has seen it. Where there is no frame after, the last frame stays.",
-            hint: "What is your frame before, when the place is behind the last one?",
+            hint: "What is your frame before, when the place is after the last one?",
             seen_in: LAST,
             costs: LAST,
             variants: ways![GoesOn],
