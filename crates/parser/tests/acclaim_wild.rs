@@ -212,6 +212,35 @@ fn radians_become_degrees() {
 }
 
 #[test]
+fn brackets_and_commas_between_numbers_and_dofs_are_blanks() {
+    let text = asf("direction 0 -1 0", "direction (0, -1, 0)")
+        .replace("axis 10 0 20 XYZ", "axis(10 ,0 , 20),XYZ")
+        .replace("dof rx ry rz", "dof (rx,ry, rz)")
+        .replace("limits (-160.0 20.0)", "limits(-160.0,20.0)")
+        .replace("position 0 0 0", "position (0, 0, 0)")
+        .replace("order TX TY TZ RX RY RZ", "order TX, TY, TZ, RX, RY, RZ");
+    assert_eq!(skeleton(text), figure());
+    let text = amc("thigh 7 8 9", "thigh (7, 8, 9)").replace("shin 20", "shin ( 20 )");
+    assert_eq!(motion(text), motion(AMC));
+    // Names are as they are.
+    let text = ASF.replace("thigh", "thigh(l,1)");
+    assert_eq!(skeleton(text).bones()[2].name, "thigh(l,1)");
+}
+
+#[test]
+fn a_list_of_dofs_may_go_on_in_the_next_line() {
+    assert_eq!(skeleton(asf("dof rx ry rz", "dof rx # and\n  ry\n rz")), figure());
+}
+
+#[test]
+fn infinite_limits_are_read_in_all_spellings() {
+    for (low, high) in [("-inf", "inf"), ("-Infinity", "+INF"), ("-1.#INF", "1.#INF")] {
+        let text = asf("(-10.0 170.0)", &format!("({low} {high})"));
+        assert!(!skeleton(text).bones()[3].dofs[0].is_limited(), "{low} {high}");
+    }
+}
+
+#[test]
 fn limits_of_translations_are_lengths() {
     let text =
         asf("angle deg", "angle rad").replace("dof rx\n    limits (-10.0 170.0)", "dof tx\n limits (-1 2)");
