@@ -193,7 +193,7 @@ impl Running {
 
     fn send(&self, message: Vec<u8>, answer_limit: usize) {
         // When a thread is gone, so is the worker: waiting for the reply tells how it ended.
-        let _ = self.limits.send(answer_limit + PANIC_LIMIT);
+        let _ = self.limits.send(answer_limit.saturating_add(PANIC_LIMIT));
         let _ = self.to_write.send(message);
     }
 

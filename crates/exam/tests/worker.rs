@@ -12,6 +12,7 @@ use exam::fk::{LocalAnswer, Question as FkQuestion};
 use exam::{Answer, Failure, Functions, InProcess, Question, Subject, WorkerProcess, worker};
 use glam::{Quat, Vec3};
 use libtest_mimic::{Arguments, Trial};
+use skeleton::acclaim::Posture;
 use skeleton::{FkFunctions, Frame, FrameCursor, Joint, RotationOrder, Skeleton};
 
 /// Names the functions that the worker serves.
@@ -54,8 +55,9 @@ fn main() {
         let _ = worker("loops").ask(&local(RotationOrder::Xyz), LONG);
         return;
     }
-    let tests: [(&str, fn()); 15] = [
+    let tests: [(&str, fn()); 16] = [
         ("a_worker_answers_like_the_functions_themselves", answers),
+        ("an_answer_may_be_asked_for_that_no_memory_could_hold", endless_answer),
         ("a_panic_is_told_with_its_message_and_place", panic_is_told),
         ("after_a_panic_the_same_worker_answers_on", goes_on_after_panic),
         ("a_panic_with_an_odd_payload_is_a_panic", odd_panic),
@@ -178,6 +180,16 @@ fn answers() {
     for question in questions.map(Question::Fk) {
         let expected = InProcess(Functions::Fk(PLAIN)).ask(&question, LONG).unwrap();
         assert_eq!(worker.ask(&question, LONG).unwrap(), expected);
+    }
+}
+
+/// The longest reply that the asker takes has no number.
+fn endless_answer() {
+    let posture = Posture { angles: vec![[0.0; 3]; 3], translations: vec![Vec3::ZERO; 3] };
+    let mut worker = worker("right");
+    for new_count in [usize::MAX, usize::MAX / 2] {
+        let question = exam::time_warp::Question::Motion { postures: vec![posture.clone()], new_count };
+        assert_eq!(worker.ask(&Question::TimeWarp(question), LONG), Ok(Answer::NotMine));
     }
 }
 

@@ -85,6 +85,11 @@ fn wrong(exercise: &Exercise) -> String {
             ("    from\n}", "    from.conjugate()\n}"),
             ("vec![Quat::IDENTITY;", "vec![Quat::from_rotation_x(1.0);"),
         ],
+        "keyframes" => &[
+            ("    0.0\n}", "    1.0\n}"),
+            ("    0.0\n}", "    1.0\n}"),
+            ("(0..frame_count).collect()", "(1..frame_count).collect()"),
+        ],
         "acclaim" => &[
             ("    Quat::IDENTITY\n}", "    Quat::from_rotation_x(1.0)\n}"),
             ("(parent_end, parent_end)\n}", "(parent_end, -parent_end)\n}"),
@@ -95,11 +100,7 @@ fn wrong(exercise: &Exercise) -> String {
             ("from.clone()\n}", "Posture { angles: Vec::new(), ..from.clone() }\n}"),
             ("postures.to_vec()\n}", "postures.iter().rev().cloned().collect()\n}"),
         ],
-        _ => &[
-            ("    0.0\n}", "    1.0\n}"),
-            ("    0.0\n}", "    1.0\n}"),
-            ("(0..frame_count).collect()", "(1..frame_count).collect()"),
-        ],
+        name => panic!("say here how {name} is answered wrongly"),
     };
     replaced.iter().fold(exercise.template.to_owned(), |source, (old, new)| {
         assert!(source.contains(old), "{old}\n{source}");

@@ -38,6 +38,8 @@ pub(crate) struct Syntax {
 pub(crate) struct Source<'r> {
     input: &'r mut dyn Read,
     syntax: Syntax,
+    /// Whether brackets and commas are blank: see [`Source::as_list`].
+    is_list: bool,
     buffer: Vec<u8>,
     /// What has been read and not been taken: `buffer[start..end]`. In front of it stands a little of what has been
     /// taken of the current line, for messages.
@@ -80,6 +82,7 @@ impl<'r> Source<'r> {
         Source {
             input,
             syntax,
+            is_list: false,
             buffer: vec![0; CHUNK],
             start: 0,
             end: 0,
@@ -98,24 +101,37 @@ impl<'r> Source<'r> {
     /// As [`Source::peek`], with other marks.
     pub fn peek_between(&mut self, marks: &[u8]) -> &[u8] {
         self.skip_blanks();
-        let ends_word = |byte| is_blank(byte) || marks.contains(&byte);
-        let length = match self.length_until(ends_word) {
+        let brackets: &[u8] = if self.is_list { b"()" } else { b"" };
+        let ends_word = |byte| is_blank(byte) || marks.contains(&byte) || brackets.contains(&byte);
+        let mut length = match self.length_until(ends_word) {
             0 => 1.min(self.end - self.start),
             length => length,
         };
+        if self.is_list {
+            length = first_item(&self.buffer[self.start..self.start + length]);
+        }
         &self.buffer[self.start..self.start + length]
+    }
+
+    /// Does `read`, and with `is_list` brackets and commas are as good as blanks there. A comma in front of a digit is none: it
+    /// may be meant as a decimal point.
+    pub fn as_list<R>(&mut self, is_list: bool, read: impl FnOnce(&mut Self) -> R) -> R {
+        let before = std::mem::replace(&mut self.is_list, is_list);
+        let result = read(self);
+        self.is_list = before;
+        result
     }
 
     /// The rest of the current line, without taking it, and without the blanks in front of it.
     pub fn peek_line(&mut self) -> &[u8] {
-        self.skip(|byte| is_blank(byte) && !is_line_break(byte));
+        self.skip_blanks_in_line();
         let length = self.length_until(is_line_break);
         &self.buffer[self.start..self.start + length]
     }
 
     /// Whether there is no other word in the current line.
     pub fn line_ends(&mut self) -> bool {
-        self.skip(|byte| is_blank(byte) && !is_line_break(byte));
+        self.skip_blanks_in_line();
         self.next().is_none_or(is_line_break) || self.skip_comment()
     }
 
@@ -191,9 +207,14 @@ impl<'r> Source<'r> {
         )
     }
 
+    fn skip_blanks_in_line(&mut self) {
+        let is_list = self.is_list;
+        self.skip(|byte| is_blank(byte) && !is_line_break(byte) || is_list && b"(),".contains(&byte));
+    }
+
     fn skip_blanks(&mut self) {
         loop {
-            self.skip(|byte| is_blank(byte) && !is_line_break(byte));
+            self.skip_blanks_in_line();
             if self.next().is_some_and(is_line_break) {
                 self.start = self.lines.take_break(&self.buffer[..self.end], self.start);
             } else if !self.skip_comment() {
@@ -310,6 +331,12 @@ fn read_some(input: &mut dyn Read, buffer: &mut [u8]) -> io::Result<usize> {
             result => return result,
         }
     }
+}
+
+/// How long the first of the words is that have commas between them.
+fn first_item(word: &[u8]) -> usize {
+    let ends = |at: &usize| word[*at] == b',' && !word.get(at + 1).is_some_and(u8::is_ascii_digit);
+    (0..word.len()).find(ends).unwrap_or(word.len())
 }
 
 fn is_line_break(byte: u8) -> bool {

@@ -97,6 +97,15 @@ fn what_hangs_on_a_bone_that_is_moved_says_where_it_is() {
 }
 
 #[test]
+fn a_bone_that_only_moves_does_not_turn() {
+    let (skeleton, _) = skeleton_and_warnings(asf("dof rx\n    limits (-10.0 170.0)", "dof ty"));
+    let (bones, _) = motion_and_warnings(AMC, &skeleton);
+    let joints = to_joints(&bones, 0.1).expect("joints");
+    assert_eq!((channels(&joints, 3), channels(&joints, 4).len()), (vec![], 3));
+    assert!(worst(&bones, &joints) < 1e-6);
+}
+
+#[test]
 fn a_root_alone_is_a_joint() {
     let bones =
         acclaim::Skeleton::new(acclaim::Root { order: vec![], ..acclaim::Root::default() }).expect("a root");

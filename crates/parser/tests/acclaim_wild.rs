@@ -72,11 +72,18 @@ fn blanks_comments_and_line_ends_do_not_matter_in_a_skeleton() {
         asf("thigh shin", "THIGH Shin"),
         asf("    hip thigh\n    thigh shin\n", "    thigh shin\n    hip thigh\n    shin\n"),
         format!("{ASF}:skin body.obj\n  other.obj\n"),
+        moved_to_the_end(":name FIGURE\n"),
+        moved_to_the_end(":units\n  mass 1.0\n  length 0.45\n  angle deg\n"),
     ];
     let expected = figure();
     for text in same {
         assert_eq!(skeleton(&text), expected, "{text}");
     }
+}
+
+/// The skeleton's text with one of its sections behind all others.
+fn moved_to_the_end(section: &str) -> String {
+    asf(section, "") + section
 }
 
 #[test]
@@ -202,6 +209,35 @@ fn radians_become_degrees() {
     assert_eq!(unsaid.translations[0], Vec3::new(1.0, 2.0, 3.0), "lengths stay");
     let said = degrees(&amc(":DEGREES", ":radians"), &figure());
     assert_eq!(said.angles[3][0], 10_f64.to_degrees() as f32);
+}
+
+#[test]
+fn brackets_and_commas_between_numbers_and_dofs_are_blanks() {
+    let text = asf("direction 0 -1 0", "direction (0, -1, 0)")
+        .replace("axis 10 0 20 XYZ", "axis(10 ,0 , 20),XYZ")
+        .replace("dof rx ry rz", "dof (rx,ry, rz)")
+        .replace("limits (-160.0 20.0)", "limits(-160.0,20.0)")
+        .replace("position 0 0 0", "position (0, 0, 0)")
+        .replace("order TX TY TZ RX RY RZ", "order TX, TY, TZ, RX, RY, RZ");
+    assert_eq!(skeleton(text), figure());
+    let text = amc("thigh 7 8 9", "thigh (7, 8, 9)").replace("shin 20", "shin ( 20 )");
+    assert_eq!(motion(text), motion(AMC));
+    // Names are as they are.
+    let text = ASF.replace("thigh", "thigh(l,1)");
+    assert_eq!(skeleton(text).bones()[2].name, "thigh(l,1)");
+}
+
+#[test]
+fn a_list_of_dofs_may_go_on_in_the_next_line() {
+    assert_eq!(skeleton(asf("dof rx ry rz", "dof rx # and\n  ry\n rz")), figure());
+}
+
+#[test]
+fn infinite_limits_are_read_in_all_spellings() {
+    for (low, high) in [("-inf", "inf"), ("-Infinity", "+INF"), ("-1.#INF", "1.#INF")] {
+        let text = asf("(-10.0 170.0)", &format!("({low} {high})"));
+        assert!(!skeleton(text).bones()[3].dofs[0].is_limited(), "{low} {high}");
+    }
 }
 
 #[test]

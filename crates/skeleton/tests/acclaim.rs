@@ -164,6 +164,18 @@ mod local_axes {
         let quarter = Quat::from_rotation_y(90_f32.to_radians());
         assert!(b.rot_parent_current.abs_diff_eq(quarter, 1e-6), "{}", b.rot_parent_current);
     }
+
+    #[test]
+    fn are_written_from_the_right_of_the_product() {
+        for (order, letters) in [
+            (RotationOrder::Zyx, "XYZ"),
+            (RotationOrder::Yzx, "XZY"),
+            (RotationOrder::Xzy, "YZX"),
+            (RotationOrder::None, ""),
+        ] {
+            assert_eq!(LocalAxes { order, ..LocalAxes::WORLD }.letters(), letters);
+        }
+    }
 }
 
 mod dof {

@@ -32,7 +32,8 @@ impl Bones {
         while !at_section(source) {
             let line = source.place().line;
             words::take(source, "begin", "`begin` of the next bone, or the next section")?;
-            let (bone, place) = Bone::read(source, unit, &bones, warnings, line)?;
+            let read = |source: &mut Source| Bone::read(source, unit, &bones, warnings, line);
+            let (bone, place) = source.as_list(true, read)?;
             bones.by_name.insert(bone.name.to_ascii_lowercase(), bones.data.len());
             bones.data.push(bone);
             bones.places.push(place);
@@ -51,6 +52,11 @@ impl Bones {
 struct Limit {
     plain: f32,
     degrees: f32,
+}
+
+impl Limit {
+    const LOWEST: Limit = Limit { plain: f32::NEG_INFINITY, degrees: f32::NEG_INFINITY };
+    const HIGHEST: Limit = Limit { plain: f32::INFINITY, degrees: f32::INFINITY };
 }
 
 /// What has been read of one bone.
@@ -98,7 +104,7 @@ impl Bone {
     ) -> Result<(), Error> {
         const LEFT_OUT: [&str; 3] = ["id", "bodymass", "cofmass"];
         if take_part(source, "name", self.name.is_some())? {
-            self.name = Some(bone_name(source, others, warnings)?);
+            self.name = Some(source.as_list(false, |source| bone_name(source, others, warnings))?);
         } else if take_part(source, "direction", self.direction.is_some())? {
             self.direction = Some(Vec3::from_array(three(source, words::number)?));
         } else if take_part(source, "length", self.length.is_some())? {
@@ -194,37 +200,34 @@ fn bone_name(
     Ok((name, place))
 }
 
-/// Takes all numbers that come, whatever brackets and commas stand around them. Infinite ones are numbers here.
+/// Takes all numbers that come. Infinite ones are numbers here.
 fn limits(source: &mut Source, unit: AngleUnit) -> Result<Vec<Limit>, Error> {
-    const MARKS: &[u8] = b"(),";
     let mut limits = Vec::new();
     loop {
-        match source.peek_between(MARKS) {
-            [mark] if MARKS.contains(mark) => source.take(1),
-            word => {
-                let (number, length) = (limit(word, unit), word.len());
-                match number {
-                    Some(Ok(number)) => limits.push(number),
-                    Some(Err(problem)) => {
-                        let word = word.to_vec();
-                        return Err(Error::bad_number(source, &word, problem));
-                    }
-                    None => return Ok(limits),
-                }
-                source.take(length);
+        // Between limits a comma is never a decimal point.
+        let word = source.peek_between(b",");
+        let (number, length) = (limit(word, unit), word.len());
+        match number {
+            Some(Ok(number)) => limits.push(number),
+            Some(Err(problem)) => {
+                let word = word.to_vec();
+                return Err(Error::bad_number(source, &word, problem));
             }
+            None => return Ok(limits),
         }
+        source.take(length);
     }
 }
 
 /// The limit that a word is, if it looks like one.
 fn limit(word: &[u8], unit: AngleUnit) -> Option<Result<Limit, BadNumber>> {
-    let is_infinite =
-        |word: &[u8]| word.eq_ignore_ascii_case(b"inf") || word.eq_ignore_ascii_case(b"infinity");
-    let infinite = |plain| Some(Ok(Limit { plain, degrees: plain }));
+    // The last is how programs made with Microsoft's compilers write it.
+    let is_infinite = |word: &[u8]| {
+        ["inf", "infinity", "1.#INF"].into_iter().any(|known| word.eq_ignore_ascii_case(known.as_bytes()))
+    };
     match word {
-        [b'-', word @ ..] if is_infinite(word) => infinite(f32::NEG_INFINITY),
-        [b'+', word @ ..] | word if is_infinite(word) => infinite(f32::INFINITY),
+        [b'-', word @ ..] if is_infinite(word) => Some(Ok(Limit::LOWEST)),
+        [b'+', word @ ..] | word if is_infinite(word) => Some(Ok(Limit::HIGHEST)),
         word if looks_like_number(word) => {
             let both = number::parse(word).and_then(|plain| {
                 // As large as it may become: it is meant as an angle only if the dof is a rotation.

@@ -137,8 +137,19 @@ impl Frames {
         self.check_turn(source, bone)?;
         let length = source.peek().len();
         source.take(length);
+        source.as_list(true, |source| self.numbers(source, bone))?;
+        if self.complete == 0 {
+            self.order.push(bone);
+        }
+        self.bones += usize::from(!self.columns.range(bone).is_empty());
+        self.lines += 1;
+        Ok(())
+    }
+
+    /// Reads what stands behind the name of a bone.
+    fn numbers(&mut self, source: &mut Source, bone: BoneId) -> Result<(), Error> {
         let range = self.columns.range(bone);
-        for (found, column) in range.clone().enumerate() {
+        for (found, column) in range.enumerate() {
             if source.line_ends() {
                 let (bone, dofs) = (self.label(bone), self.dofs(bone));
                 return Err(Error::here(source, ErrorKind::TooFewNumbers { bone, found, dofs }));
@@ -152,11 +163,6 @@ impl Frames {
             let (bone, dofs, found) = (self.label(bone), self.dofs(bone), printable_start(source.peek()));
             return Err(Error::here(source, ErrorKind::TooManyNumbers { bone, found, dofs }));
         }
-        if self.complete == 0 {
-            self.order.push(bone);
-        }
-        self.bones += usize::from(!range.is_empty());
-        self.lines += 1;
         Ok(())
     }
 

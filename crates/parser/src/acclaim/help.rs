@@ -31,7 +31,11 @@ impl Kind for ErrorKind {
             ErrorKind::RepeatedSection { .. } | ErrorKind::RepeatedPart { .. } => {
                 "Keep the one that is right, and delete the other."
             }
-            ErrorKind::SectionOrder { .. } | ErrorKind::LateRadians => {
+            ErrorKind::SectionOrder { .. } => {
+                "Add it, or move it there: the sections are :version, :name, :units, :documentation, :root, :bonedata and \
+                 :hierarchy."
+            }
+            ErrorKind::LateRadians => {
                 "Move it: the sections are :version, :name, :units, :documentation, :root, :bonedata and :hierarchy."
             }
             ErrorKind::NotClosed { .. } => "Every `begin` needs its `end`, on a line of its own.",

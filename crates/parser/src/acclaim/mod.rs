@@ -32,6 +32,8 @@
 //! - Bones may be listed in any order; they come out with parents in front of their children.
 //! - A bone without dofs needs no line in a motion. Bones with dofs that have no line in the first frame stay as they are
 //!   at rest, with a warning; all frames have the same bones.
+//! - Brackets and commas around numbers and dofs are left out. A comma in front of a digit is not: it may be meant as a
+//!   decimal point, and is an error.
 //! - Texts are UTF-8 with or without a byte order mark, or UTF-16. Lines end with LF, CRLF, or CR alone.
 //!
 //! What a reader can set right without guessing is read with a [`Warning`]; all else is an [`Error`] that says

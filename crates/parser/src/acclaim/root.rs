@@ -12,6 +12,10 @@ use crate::words;
 
 /// Reads everything behind `:root`.
 pub(super) fn read(source: &mut Source, unit: AngleUnit, warnings: &mut Vec<Warning>) -> Result<Root, Error> {
+    source.as_list(true, |source| read_parts(source, unit, warnings))
+}
+
+fn read_parts(source: &mut Source, unit: AngleUnit, warnings: &mut Vec<Warning>) -> Result<Root, Error> {
     let place = source.place();
     let (mut order, mut axis, mut position, mut orientation) = (None, None, None, None);
     while !at_section(source) {

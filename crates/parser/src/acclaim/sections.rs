@@ -35,7 +35,11 @@ pub(super) fn read(source: &mut Source, warnings: &mut Vec<Warning>) -> Result<S
         parts.read(source, section, warnings)?;
     }
     match parts {
-        Parts { skeleton: Some(skeleton), .. } => Ok(skeleton),
+        Parts { skeleton: Some(mut skeleton), name, units, .. } => {
+            // Both may stand behind the hierarchy.
+            (skeleton.name, skeleton.units) = (name, units);
+            Ok(skeleton)
+        }
         Parts { root: None, .. } => Err(Error::unexpected(source, "`:root`")),
         Parts { bones: None, .. } => Err(Error::unexpected(source, "`:bonedata`")),
         _ => Err(Error::unexpected(source, "`:hierarchy`")),
@@ -72,10 +76,7 @@ impl Parts {
             ":hierarchy" => {
                 let (root, bones) =
                     (self.root.clone().unwrap_or_default(), self.bones.take().unwrap_or_default());
-                let mut skeleton = hierarchy::read(source, root, bones, warnings)?;
-                skeleton.name = std::mem::take(&mut self.name);
-                skeleton.units = self.units;
-                self.skeleton = Some(skeleton);
+                self.skeleton = Some(hierarchy::read(source, root, bones, warnings)?);
             }
             _ => skip_section(source),
         }

@@ -61,13 +61,14 @@ pub(super) fn name(source: &mut Source, warnings: &mut Vec<Warning>) -> Result<S
     Ok(name)
 }
 
-/// Takes the dofs that stand in the rest of the line.
+/// Takes the dofs that stand in the rest of the line, and in the next lines if the list goes on there.
 pub(super) fn dofs(source: &mut Source) -> Result<Vec<Channel>, Error> {
+    let channel_of = |word: &[u8]| std::str::from_utf8(word).ok().and_then(DegreeOfFreedom::channel_of);
     let mut dofs = Vec::new();
-    while !source.line_ends() {
+    while !source.line_ends() || channel_of(source.peek()).is_some() {
         let word = source.peek();
         let length = word.len();
-        let Some(channel) = std::str::from_utf8(word).ok().and_then(DegreeOfFreedom::channel_of) else {
+        let Some(channel) = channel_of(word) else {
             let kind = match word {
                 b"l" | b"L" => ErrorKind::LengthDof,
                 word => ErrorKind::UnknownDof { found: printable_start(word) },

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::io::{self, Write};
 
-use skeleton::acclaim::{AngleUnit, Bone, Columns, DegreeOfFreedom, LocalAxes, Motion, Skeleton};
-use skeleton::{Axis, Channel};
+use skeleton::Channel;
+use skeleton::acclaim::{AngleUnit, Bone, Columns, DegreeOfFreedom, Motion, Skeleton};
 
 use crate::shown::Shortest;
 use crate::source::{LONGEST_WORD, is_blank};
@@ -43,7 +43,7 @@ fn write_root(skeleton: &Skeleton, out: &mut impl Write) -> io::Result<()> {
     for dof in &root.dofs {
         write!(out, " {}", dof.to_string().to_uppercase())?;
     }
-    writeln!(out, "\n  axis {}", Letters(&root.axis))?;
+    writeln!(out, "\n  axis {}", root.axis.letters())?;
     writeln!(out, "  position {}", Three(skeleton.position().to_array().map(Shortest)))?;
     let angles = root.axis.angles.map(|degrees| Angle(degrees, skeleton.units.angle));
     writeln!(out, "  orientation {}", Three(angles))
@@ -54,7 +54,7 @@ fn write_bone(bone: &Bone, unit: AngleUnit, out: &mut impl Write) -> io::Result<
     writeln!(out, "    direction {}", Three(bone.direction.to_array().map(Shortest)))?;
     writeln!(out, "    length {}", Shortest(bone.length))?;
     let angles = bone.axis.angles.map(|degrees| Angle(degrees, unit));
-    writeln!(out, "    axis {} {}", Three(angles), Letters(&bone.axis))?;
+    writeln!(out, "    axis {} {}", Three(angles), bone.axis.letters())?;
     if !bone.dofs.is_empty() {
         write!(out, "    dof")?;
         for dof in &bone.dofs {
@@ -197,16 +197,6 @@ impl<T: fmt::Display> fmt::Display for Three<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [x, y, z] = &self.0;
         write!(f, "{x} {y} {z}")
-    }
-}
-
-/// The order of rotations as files write it: that of the product from right to left.
-struct Letters<'a>(&'a LocalAxes);
-
-impl fmt::Display for Letters<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let axes = self.0.order.axes().unwrap_or(Axis::ALL);
-        axes.iter().rev().try_for_each(|axis| write!(f, "{axis}"))
     }
 }
 

@@ -31,6 +31,11 @@ impl LocalAxes {
     /// The world's own axes.
     pub const WORLD: LocalAxes = LocalAxes { angles: [0.0; 3], order: RotationOrder::Zyx };
 
+    /// The order as files write it, `XYZ` for `Zyx`: that of the product from right to left. Nothing where there is no order.
+    pub fn letters(&self) -> String {
+        self.order.axes().into_iter().flatten().rev().map(|axis| axis.to_string()).collect()
+    }
+
     /// The rotation from the world's axes to these.
     pub(super) fn rotation(&self) -> Quat {
         let axes = self.order.axes().into_iter().flatten();

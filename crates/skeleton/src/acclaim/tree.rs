@@ -56,7 +56,7 @@ impl Default for Root {
 pub struct Units {
     /// What masses would have to be multiplied by.
     pub mass: f32,
-    /// What lengths and positions would have to be multiplied by, to become what was measured.
+    /// What lengths and positions would have to be divided by, to become what was measured (inches, in the files of CMU).
     pub length: f32,
     /// How angles are written in the file.
     pub angle: AngleUnit,

@@ -114,10 +114,12 @@ fn is_turned(bone: &Bone) -> bool {
     bone.axis.angles != [0.0; 3]
 }
 
-/// The order of a joint's rotation channels: the bone's own, as long as its axes are the world's.
+/// The order of a joint's rotation channels: the bone's own, as long as its axes are the world's. A bone that only moves has
+/// none.
 fn order(bone: &Bone) -> RotationOrder {
+    let turns = bone.dofs.iter().any(|dof| matches!(dof.channel, Channel::Rotation(_)));
     match bone.rotation_order {
-        RotationOrder::None if !bone.is_root() => RotationOrder::None,
+        _ if !turns && !bone.is_root() => RotationOrder::None,
         RotationOrder::None => RotationOrder::Zyx,
         _ if is_turned(bone) => RotationOrder::Zyx,
         order => order,

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use parser::acclaim::depth_first;
 use parser::printable;
-use skeleton::acclaim::{AngleUnit, BoneId, DegreeOfFreedom, LocalAxes, Motion, Skeleton};
-use skeleton::{Axis, RotationOrder};
+use skeleton::RotationOrder;
+use skeleton::acclaim::{AngleUnit, BoneId, DegreeOfFreedom, Motion, Skeleton};
 
 use super::joints::{extent, extent_of};
 use super::numbers::{count, length, number, shortened};
@@ -49,7 +49,7 @@ pub fn tree(skeleton: &Skeleton, joints: &skeleton::Skeleton) -> String {
             false => bone.direction.to_array().map(part),
         };
         let [a, b, c] = bone.axis.angles.map(|angle| short(without_noise(angle)));
-        let letters = letters(&bone.axis);
+        let letters = bone.axis.letters();
         let order = order(if letters == "XYZ" { "" } else { &letters });
         let dofs: Vec<String> = bone.dofs.iter().map(dof).collect();
         let dofs = dofs.join(", ");
@@ -58,11 +58,6 @@ pub fn tree(skeleton: &Skeleton, joints: &skeleton::Skeleton) -> String {
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text
-}
-
-/// The order of rotations as files write it: that of the product from right to left.
-fn letters(axes: &LocalAxes) -> String {
-    axes.order.axes().unwrap_or(Axis::ALL).iter().rev().map(Axis::to_string).collect()
 }
 
 /// A degree of freedom and its limits: `rx -120..30`, or `rx -5..` where there is only one.
@@ -123,7 +118,7 @@ pub fn summary(source: &Source, motion: &Motion, joints: &skeleton::Motion) -> S
             format!(
                 "order {}, position {position}, orientation {orientation} {}",
                 order.join(" "),
-                letters(&root.axis)
+                root.axis.letters()
             ),
         ),
     ];
@@ -163,7 +158,7 @@ fn still(motion: &Motion) -> String {
 
 #[cfg(test)]
 mod tests {
-    use skeleton::Channel;
+    use skeleton::{Axis, Channel};
 
     use super::*;
 
