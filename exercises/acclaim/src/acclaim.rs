@@ -23,8 +23,7 @@ use skeleton::acclaim::{Bone, BoneId, Skeleton, Visitor};
 ///
 /// Every bone has axes of its own, already turned against its parent's when nothing moves:
 /// `bone.rot_parent_current` is that rotation. Starting from the parent's axes, one goes to the bone's axes at rest, and from
-/// there the angles turn on. They are meant in the order Z, Y, X: the product of the three rotations is Rz Ry Rx, so that X
-/// happens first.
+/// there the angles turn on. Of the three turns X happens first and Z last: their product is Rz Ry Rx.
 ///
 /// For the root the parent is the world, which is not turned: the same formula holds.
 ///
@@ -43,9 +42,11 @@ pub fn bone_rotation(bone: &Bone, angles: [f32; 3], parent: Quat) -> Quat {
 ///
 /// **Out:** the start and the end, in the world, in the file's unit.
 ///
-/// A bone starts where its parent ends. From there it goes `bone.length` along `bone.local_direction`, which is a direction
-/// in the bone's own axes. (`bone.direction` is the same one in the world's axes, as long as nothing has moved.) The root has
-/// no length: its `length` and both directions are zero.
+/// A bone starts where its parent ends. From there it goes `bone.length` along the bone's direction, which is written down
+/// twice: `bone.local_direction` in the bone's own axes, `bone.direction` in the world's, as long as nothing has moved.
+///
+/// The root has no length and no direction: all of these are zero. It has no parent either: `parent_end` is where the motion
+/// puts the figure, and its `translation` is zero. It needs no special case.
 ///
 /// **Example.** The parent ends at (10, 0, 0). The bone is 2 long, points along its own X axis, and is turned a quarter
 /// about Z. It starts at (10, 0, 0) and ends at (10, 2, 0).

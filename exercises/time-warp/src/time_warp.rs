@@ -23,7 +23,7 @@ use skeleton::acclaim::{Between, Posture};
 /// before and 1 at the frame after.
 ///
 /// The place is `new_frame` × old count / new count, mostly not a whole number. Where it is one, that frame is both, and `t`
-/// is 0. There is no frame behind the last one: where the frame after would be behind it, it is the last one, too. Frames
+/// is 0. There is no frame after the last one: where the frame after would be that, it is the last one, too. Frames
 /// that are there and a `t` that name the same place in another way are just as right.
 ///
 /// A count of several million must not make the place inexact.
