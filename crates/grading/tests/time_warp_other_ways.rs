@@ -248,6 +248,28 @@ fn wrong_parts_1_and_2_cost_nothing_in_part_3() {
     }
 }
 
+/// One new frame, and 0 / 0: what is not a number in part 1 is not one in part 3 either.
+#[test]
+fn a_division_by_zero_in_part_1_costs_nothing_in_part_3() {
+    const BOTH_ENDS: fn(usize, usize, usize) -> Between = |frame, old, new| {
+        let place = frame as f64 * (old - 1) as f64 / (new - 1) as f64;
+        let (before, after) = (place.floor() as usize, place.ceil() as usize);
+        Between { before, after, t: (place - place.floor()) as f32 }
+    };
+    const SINGLE: fn(usize, usize, usize) -> Between = |frame, old, new| {
+        let place = frame as f32 * ((old as f32 - 1.0) / (new as f32 - 1.0));
+        let (before, last) = (place as usize, old - 1);
+        Between { before: before.min(last), after: (before + 1).min(last), t: place - place.floor() }
+    };
+    for functions in [together!(BOTH_ENDS, TIME_WARP.blend), together!(SINGLE, TIME_WARP.blend)] {
+        for reports in reports(functions) {
+            assert_eq!(lost_checks(&reports[0]), ["slower", "faster", "last", "long"]);
+            assert!(lost_checks(&reports[1]).is_empty());
+            assert!(lost_checks(&reports[2]).is_empty(), "{:?}", reports[2]);
+        }
+    }
+}
+
 #[test]
 fn a_right_part_3_may_do_without_wrong_parts_1_and_2() {
     let functions = TimeWarpFunctions { warp: TIME_WARP.warp, ..WRONG };

@@ -47,7 +47,7 @@ pub(super) fn translations(_: &Case, expected: &Answer, got: &Answer) -> Option<
 }
 
 /// Part 3's answer. Right is also what comes of the student's own parts 1 and 2 when they are put together as they should
-/// be, so that a mistake in them does not cost points again.
+/// be, so that a mistake in them does not cost points again: not even one that gives what is not a number.
 pub(super) fn motions(case: &Case, expected: &Answer, got: &Answer) -> Option<Difference> {
     let (
         Some(TimeWarpAnswer::Warp { postures: right, .. }),
@@ -64,7 +64,7 @@ pub(super) fn motions(case: &Case, expected: &Answer, got: &Answer) -> Option<Di
     let mut frames = right.iter().zip(postures).enumerate();
     frames.find_map(|(frame, (right, got))| {
         let off = first_off(right, got)?;
-        let is_own = own.and_then(|own| own.get(frame)).is_some_and(|own| first_off(own, got).is_none());
+        let is_own = own.and_then(|own| own.get(frame)).is_some_and(|own| postures::is_own(own, got));
         (!is_own).then(|| {
             let named = |text: String| format!("frame {frame}, {text}");
             let Difference { got, expected, between } = off.difference;
