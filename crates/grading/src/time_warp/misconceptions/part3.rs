@@ -10,8 +10,8 @@ use crate::time_warp::variants::place::{
     BothEndsKept, FromAfter, OneOffNew, OneOffOld, UpsideDown, WholeRatio,
 };
 use crate::time_warp::variants::warp::{
-    CutOrFilled, CutOrRepeated, LastKept, OneLess, OneMore, OneOldFrame, OnlyInWarp, WarpedToOneLess,
-    WarpedToOneMore,
+    CutOrFilled, CutOrRepeated, FromOne, FromOneOneLess, LastKept, OneLess, OneMore, OneOldFrame, OnlyInWarp,
+    WarpedToOneLess, WarpedToOneMore,
 };
 
 const ALL: &[&str] = &["longer", "shorter", "same", "few"];
@@ -33,9 +33,19 @@ fn about_how_many() -> Vec<Misconception> {
             title: "Your number of frames is off by one.",
             explanation: "The new motion has `new_count` frames, numbered from 0 to `new_count` − 1.",
             hint: "How often does your loop go round when `new_count` is 1? In Rust `0..n` ends before `n`, and `0..=n` with it.",
-            seen_in: ALL,
+            // With few frames, what one too many is depends on part 1.
+            seen_in: SEVERAL,
             costs: ALL,
             variants: ways![OneMore, OneLess, WarpedToOneMore, WarpedToOneLess],
+        },
+        Misconception {
+            id: "begins_at_1",
+            title: "You begin with the new frame number 1.",
+            explanation: "Frames are counted from 0. Yours leave the first one out, so that the motion begins too late.",
+            hint: "Which posture of the old motion should the first new one be, and which is yours?",
+            seen_in: SEVERAL,
+            costs: ALL,
+            variants: ways![FromOne, FromOneOneLess],
         },
         Misconception {
             id: "last_kept",

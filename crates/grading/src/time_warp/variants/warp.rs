@@ -1,6 +1,7 @@
 //! Part 3.
 
 use std::marker::PhantomData;
+use std::ops::Range;
 
 use skeleton::acclaim::Posture;
 
@@ -26,6 +27,11 @@ fn right(postures: &[Posture], new_count: usize) -> impl Iterator<Item = Posture
     (0..new_count).map(move |frame| right_frame(postures, frame, new_count))
 }
 
+/// Other frames than those that were asked for, each as it should be.
+fn right_frames(postures: &[Posture], frames: Range<usize>, new_count: usize) -> Vec<Posture> {
+    frames.map(|frame| right_frame(postures, frame, new_count)).collect()
+}
+
 ways! {
     /// Right, and then one frame more.
     OneMore(postures, count) {
@@ -40,6 +46,12 @@ ways! {
 
     /// As if one frame less had been asked for.
     WarpedToOneLess(postures, count) right(postures, count.saturating_sub(1)).collect();
+
+    /// From the second new frame on, and one behind the last.
+    FromOne(postures, count) right_frames(postures, 1..count + 1, count);
+
+    /// From the second new frame on, to the last.
+    FromOneOneLess(postures, count) right_frames(postures, 1..count, count);
 
     /// The new motion ends as the old one does.
     LastKept(postures, count) {

@@ -1,0 +1,74 @@
+//! Mistakes in time warping as students write them, and the names they are given.
+#![allow(clippy::unwrap_used)] // Helpers of tests.
+
+#[path = "support/marks.rs"]
+mod marks;
+
+use exam::Functions;
+use grading::time_warp::exam;
+use grading::{PUBLIC_SEED, PartReport, Solutions};
+use skeleton::acclaim::{Between, TimeWarpFunctions};
+use solutions::TIME_WARP;
+
+use marks::{lost_checks, names};
+
+/// The reports on all parts, for the public seed and some others.
+fn reports(functions: TimeWarpFunctions) -> impl Iterator<Item = Vec<PartReport>> {
+    let seeds = [PUBLIC_SEED, 0, 1, 2, 77, u64::MAX];
+    seeds.into_iter().map(move |seed| marks::reports(&exam(seed, &Solutions), Functions::TimeWarp(functions)))
+}
+
+/// What a frame too many is, part 1 decides, and it is given a name whatever that is.
+#[test]
+fn frames_that_are_counted_wrongly_are_named_with_any_right_part_1() {
+    /// The place kept within the motion.
+    const AT_MOST_LAST: fn(usize, usize, usize) -> Between = |frame, old, new| {
+        let place = (frame as f64 * old as f64 / new as f64).min((old - 1) as f64);
+        let before = place as usize;
+        Between { before, after: (before + 1).min(old - 1), t: place.fract() as f32 }
+    };
+    /// Whole numbers, which divide by zero when there is no new frame.
+    const WHOLE: fn(usize, usize, usize) -> Between = |frame, old, new| {
+        let (before, last) = (frame * old / new, old - 1);
+        let t = (frame * old % new) as f64 / new as f64;
+        Between { before: before.min(last), after: (before + 1).min(last), t: t as f32 }
+    };
+    macro_rules! counted {
+        ($place:expr, |$count:ident| $frames:expr) => {
+            TimeWarpFunctions {
+                old_position: $place,
+                blend: TIME_WARP.blend,
+                warp: |postures, $count| {
+                    let place: fn(usize, usize, usize) -> Between = $place;
+                    let frame = |frame| {
+                        let Between { before, after, t } = place(frame, postures.len(), $count);
+                        (TIME_WARP.blend)(&postures[before], &postures[after], t)
+                    };
+                    if postures.is_empty() { Vec::new() } else { $frames.map(frame).collect() }
+                },
+            }
+        };
+    }
+    macro_rules! with_each_part_1 {
+        (|$count:ident| $frames:expr) => {
+            [
+                counted!(TIME_WARP.old_position, |$count| $frames),
+                counted!(AT_MOST_LAST, |$count| $frames),
+                counted!(WHOLE, |$count| $frames),
+            ]
+        };
+    }
+    let wrong = [
+        ("one_off", with_each_part_1!(|count| 0..=count)),
+        ("one_off", with_each_part_1!(|count| 0..count.saturating_sub(1))),
+        ("begins_at_1", with_each_part_1!(|count| 1..=count)),
+        ("begins_at_1", with_each_part_1!(|count| 1..count)),
+    ];
+    for (name, functions) in wrong {
+        for reports in functions.into_iter().flat_map(reports) {
+            assert!(lost_checks(&reports[0]).is_empty());
+            assert_eq!(lost_checks(&reports[2]), ["longer", "shorter", "same", "few"]);
+            assert_eq!(names(&reports[2]), [name]);
+        }
+    }
+}
