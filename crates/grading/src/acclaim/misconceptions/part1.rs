@@ -238,6 +238,7 @@ fn about_order() -> Vec<Misconception> {
 
 /// What is made of each angle.
 fn about_angles() -> Vec<Misconception> {
+    use rotation::ordered_radians;
     vec![
         Misconception {
             id: "angles_left_out",
@@ -259,6 +260,26 @@ fn about_angles() -> Vec<Misconception> {
                 rotation::degrees_as_radians as Rotation,
                 rotation::to_degrees,
                 rotation::to_radians_twice,
+            ]
+            .map(wrong_in_part1)
+            .into(),
+        },
+        Misconception {
+            id: "degrees_and_order",
+            title: "You mix up degrees and radians, and the order of the three rotations too.",
+            explanation: "These are two mistakes. The file's angles are in degrees, and glam's functions take radians. And in \
+                          Acclaim files the rotation about X happens first: in a product the right factor does.",
+            hint: "Begin with the unit. Then ask which of your three factors stands on the right, and which angle it gets.",
+            seen_in: ANGLES,
+            costs: ALL,
+            variants: [
+                ordered_radians::<0, 0> as Rotation,
+                ordered_radians::<1, 0>,
+                ordered_radians::<2, 0>,
+                ordered_radians::<3, 0>,
+                ordered_radians::<4, 0>,
+                // The right order, and the angles in theirs.
+                ordered_radians::<5, 5>,
             ]
             .map(wrong_in_part1)
             .into(),

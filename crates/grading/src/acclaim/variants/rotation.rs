@@ -100,11 +100,20 @@ const ORDERS: [[Axis; 3]; 6] = [[X, Y, Z], [X, Z, Y], [Y, X, Z], [Y, Z, X], [Z, 
 /// Multiplies in one of the [`ORDERS`]. Of `TAKEN`, which is one of them too, the first axis gets the first angle, and
 /// so on: 0 is right.
 pub fn ordered<const ORDER: usize, const TAKEN: usize>(bone: &Bone, angles: [f32; 3], parent: Quat) -> Quat {
+    ordered_radians::<ORDER, TAKEN>(bone, angles.map(f32::to_radians), parent)
+}
+
+/// The same with the angles for radians, whatever they are.
+pub fn ordered_radians<const ORDER: usize, const TAKEN: usize>(
+    bone: &Bone,
+    angles: [f32; 3],
+    parent: Quat,
+) -> Quat {
     let mut of_axis = [0.0; 3];
     for (axis, angle) in ORDERS[TAKEN].into_iter().zip(angles) {
         of_axis[axis.index()] = angle;
     }
-    let turn = |axis: Axis| Quat::from_axis_angle(axis.unit(), of_axis[axis.index()].to_radians());
+    let turn = |axis: Axis| Quat::from_axis_angle(axis.unit(), of_axis[axis.index()]);
     parent * bone.rot_parent_current * ORDERS[ORDER].into_iter().map(turn).product::<Quat>()
 }
 

@@ -4,8 +4,8 @@ use super::ways;
 use crate::Misconception;
 use crate::time_warp::variants::blend::{
     AsTheyCome, Backwards, ComponentsAsAngles, DegreesAndRadians, Exchanged, FirstAngles, NearerAngles,
-    OnlyTheRootMoves, Ordered, PackedAndUnpacked, PackedForSlerp, RotationVector, SecondAngles,
-    ShorterAngles, StraightAngles, StraightLine, TranslationsStay,
+    OnlyTheRootMoves, Ordered, OrderedDegrees, PackedAndUnpacked, PackedForSlerp, RotationVector,
+    SecondAngles, ShorterAngles, StraightAngles, StraightLine, TranslationsStay,
 };
 
 const ALL: &[&str] = &["translations", "one_axis", "all_axes", "wrap"];
@@ -158,6 +158,21 @@ fn about_conversion() -> Vec<Misconception> {
                 DegreesAndRadians<true, false>,
                 DegreesAndRadians<false, true>,
                 DegreesAndRadians<true, true>,
+            ],
+        },
+        Misconception {
+            id: "degrees_and_order",
+            title: "You mix up degrees and radians, and the order of the three rotations too.",
+            explanation: "These are two mistakes. The angles of a posture are in degrees, and glam's functions take and give \
+                          radians. And the angles mean Rz Ry Rx.",
+            hint: "Begin with the unit, on both ways. Then ask which `EulerRot` stands for Rz Ry Rx, and in which order it takes the \
+                   angles.",
+            seen_in: ROTATIONS,
+            costs: ROTATIONS,
+            variants: ways![
+                OrderedDegrees<0, true, true>, OrderedDegrees<0, true, false>, OrderedDegrees<0, false, true>,
+                OrderedDegrees<1, true, true>, OrderedDegrees<2, true, true>,
+                OrderedDegrees<3, true, true>, OrderedDegrees<4, true, true>,
             ],
         },
     ]

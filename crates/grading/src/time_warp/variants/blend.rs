@@ -217,6 +217,20 @@ impl<const INTO: bool, const OUT: bool> Way for DegreesAndRadians<INTO, OUT> {
     }
 }
 
+/// The same with the angles in another order.
+pub struct OrderedDegrees<const ORDER: u8, const INTO: bool, const OUT: bool>;
+
+impl<const ORDER: u8, const INTO: bool, const OUT: bool> Way for OrderedDegrees<ORDER, INTO, OUT> {
+    fn quaternion(angles: [f32; 3]) -> Quat {
+        Ordered::<ORDER, ORDER>::quaternion(if INTO { angles.map(f32::to_degrees) } else { angles })
+    }
+
+    fn angles(rotation: Quat) -> [f32; 3] {
+        let angles = Ordered::<ORDER, ORDER>::angles(rotation);
+        if OUT { angles.map(f32::to_radians) } else { angles }
+    }
+}
+
 /// Counts from the second posture to the first.
 pub struct Backwards<const ANGLES: bool, const TRANSLATIONS: bool>;
 
