@@ -7,6 +7,8 @@ use crate::acclaim::variants::ends;
 const ALL: &[&str] = &["start", "end", "translation"];
 const START: &[&str] = &["start"];
 const END: &[&str] = &["end"];
+/// The root's place shows in both.
+const START_AND_END: &[&str] = &["start", "end"];
 /// Whatever is wrong with the end shows in both.
 const ENDS: &[&str] = &["end", "translation"];
 const TRANSLATION: &[&str] = &["translation"];
@@ -194,6 +196,16 @@ fn about_the_start() -> Vec<Misconception> {
             seen_in: START,
             costs: START,
             variants: vec![wrong_in_part2(ends::start_at_origin)],
+        },
+        Misconception {
+            id: "root_by_itself",
+            title: "You treat the root in another way than the other bones.",
+            explanation: "The root has no parent, but where the figure is comes in as `parent_end` all the same. The root's \
+                          translation is zero: a root that is put there stays at the origin, and the figure with it.",
+            hint: "What does your formula for the other bones give for the root? Is a special case needed?",
+            seen_in: START_AND_END,
+            costs: START_AND_END,
+            variants: vec![wrong_in_part2(ends::root_at_translation)],
         },
         Misconception {
             id: "ends_exchanged",

@@ -80,3 +80,7 @@ pub fn start_at_origin(bone: &Bone, rotation: Quat, from: Vec3, moved: Vec3) -> 
 pub fn exchanged(bone: &Bone, rotation: Quat, from: Vec3, moved: Vec3) -> (Vec3, Vec3) {
     (from + way(bone, rotation) + moved, from)
 }
+
+pub fn root_at_translation(bone: &Bone, rotation: Quat, from: Vec3, moved: Vec3) -> (Vec3, Vec3) {
+    if bone.is_root() { (moved, moved) } else { (from, from + way(bone, rotation) + moved) }
+}
