@@ -1,13 +1,14 @@
 //! Mistakes in time warping as students write them, and the names they are given.
-#![allow(clippy::unwrap_used)] // Helpers of tests.
+#![allow(clippy::unwrap_used, clippy::approx_constant)] // Helpers of tests.
 
 #[path = "support/marks.rs"]
 mod marks;
 
 use exam::Functions;
+use glam::{EulerRot, Quat};
 use grading::time_warp::exam;
 use grading::{PUBLIC_SEED, PartReport, Solutions};
-use skeleton::acclaim::{Between, TimeWarpFunctions};
+use skeleton::acclaim::{Between, Posture, TimeWarpFunctions};
 use solutions::TIME_WARP;
 
 use marks::{lost_checks, names};
@@ -70,5 +71,59 @@ fn frames_that_are_counted_wrongly_are_named_with_any_right_part_1() {
             assert_eq!(lost_checks(&reports[2]), ["longer", "shorter", "same", "few"]);
             assert_eq!(names(&reports[2]), [name]);
         }
+    }
+}
+
+/// A part 2 that makes quaternions and angles like this.
+macro_rules! turning {
+    (|$angles:ident| $quaternion:expr, |$rotation:ident| $back:expr) => {
+        TimeWarpFunctions {
+            blend: |from, to, t| {
+                let quaternion = |$angles: [f32; 3]| -> Quat { $quaternion };
+                let angles = |$rotation: Quat| -> [f32; 3] { $back };
+                let pairs = from.angles.iter().zip(&to.angles);
+                Posture {
+                    angles: pairs
+                        .map(|(from, to)| angles(quaternion(*from).slerp(quaternion(*to), t)))
+                        .collect(),
+                    ..(TIME_WARP.blend)(from, to, t)
+                }
+            },
+            ..TIME_WARP
+        }
+    };
+}
+
+#[test]
+fn euler_angles_as_they_come_are_named() {
+    let unconverted =
+        turning!(|angles| Quat::from_euler(EulerRot::XYZ, angles[0], angles[1], angles[2]), |rotation| {
+            rotation.to_euler(EulerRot::XYZ).into()
+        });
+    let converted_later =
+        turning!(|angles| Quat::from_euler(EulerRot::XYZ, angles[0], angles[1], angles[2]), |rotation| {
+            <[f32; 3]>::from(rotation.to_euler(EulerRot::XYZ)).map(f32::to_degrees)
+        });
+    for reports in [unconverted, converted_later].into_iter().flat_map(reports) {
+        assert_eq!(lost_checks(&reports[1]), ["one_axis", "all_axes", "wrap"]);
+        assert_eq!(names(&reports[1]), ["degrees_and_order"]);
+    }
+}
+
+#[test]
+fn a_short_pi_is_accepted_with_a_remark() {
+    let short = turning!(
+        |angles| {
+            let [x, y, z] = angles.map(|angle| angle * 3.14 / 180.0);
+            Quat::from_euler(EulerRot::ZYX, z, y, x)
+        },
+        |rotation| {
+            let (z, y, x) = rotation.to_euler(EulerRot::ZYX);
+            [x, y, z].map(|angle| angle * 180.0 / 3.14)
+        }
+    );
+    for reports in reports(short) {
+        assert!(reports.iter().all(|report| report.points() == 5), "{reports:?}");
+        assert!(reports[1].remark.unwrap().contains("π"));
     }
 }

@@ -1,8 +1,11 @@
 //! Part 2.
 
+use std::marker::PhantomData;
+
 use glam::{EulerRot, Mat3, Quat, Vec3, Vec4};
 
 use super::{Way, angles, quaternion};
+use crate::fk::variants::{Exact, Pi};
 
 /// What each makes of the angles of a bone in two postures.
 macro_rules! ways {
@@ -38,6 +41,21 @@ ways! {
 
     /// Those of the posture that is nearer.
     NearerAngles(from, to, t) if t < 0.5 { from } else { to };
+}
+
+/// Right, but for the number that somebody takes for π when quaternions are made of angles, when angles are made of
+/// quaternions, or both.
+pub struct ShortPi<P, const INTO: bool, const OUT: bool>(PhantomData<P>);
+
+impl<P: Pi, const INTO: bool, const OUT: bool> Way for ShortPi<P, INTO, OUT> {
+    fn quaternion(angles: [f32; 3]) -> Quat {
+        quaternion(if INTO { angles.map(|degrees| degrees * (P::PI / Exact::PI)) } else { angles })
+    }
+
+    fn angles(rotation: Quat) -> [f32; 3] {
+        let angles = angles(rotation);
+        if OUT { angles.map(|degrees| degrees * (Exact::PI / P::PI)) } else { angles }
+    }
 }
 
 /// A straight line, brought back to length 1.
