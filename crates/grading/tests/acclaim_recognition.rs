@@ -85,3 +85,28 @@ fn euler_angles_as_they_come() {
         assert_named(0, AcclaimFunctions { bone_rotation, ..ACCLAIM }, ALL, "degrees_and_order");
     }
 }
+
+#[test]
+fn three_angles_as_one_axis() {
+    let bone_rotation = |bone: &Bone, angles: [f32; 3], parent: Quat| {
+        let [x, y, z] = angles.map(f32::to_radians);
+        parent * bone.rot_parent_current * Quat::from_scaled_axis(Vec3::new(x, y, z))
+    };
+    let functions = AcclaimFunctions { bone_rotation, ..ACCLAIM };
+    assert_named(0, functions, &["root", "angles"], "rotation_vector");
+}
+
+#[test]
+fn axes_at_rest_in_part_2_and_a_start_at_the_translation() {
+    let rest_again = |bone: &Bone, rotation: Quat, parent_end: Vec3, translation: Vec3| {
+        let way = rotation * bone.rot_parent_current * bone.local_direction * bone.length;
+        (parent_end, parent_end + way + translation)
+    };
+    let functions = AcclaimFunctions { bone_ends: rest_again, ..ACCLAIM };
+    assert_named(1, functions, &["end", "translation"], "rest_again");
+    let start_at_translation = |bone: &Bone, rotation: Quat, parent_end: Vec3, translation: Vec3| {
+        (translation, parent_end + rotation * bone.local_direction * bone.length + translation)
+    };
+    let functions = AcclaimFunctions { bone_ends: start_at_translation, ..ACCLAIM };
+    assert_named(1, functions, &["start"], "start_at_translation");
+}

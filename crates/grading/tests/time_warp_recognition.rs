@@ -127,3 +127,41 @@ fn a_short_pi_is_accepted_with_a_remark() {
         assert!(reports[1].remark.unwrap().contains("π"));
     }
 }
+
+#[test]
+fn as_many_frames_as_before_are_named() {
+    type Warp = fn(&[Posture], usize) -> Vec<Posture>;
+    let old_count = |postures: &[Posture], new_count: usize| {
+        let mut warped = Vec::new();
+        for frame in 0..postures.len() {
+            let Between { before, after, t } = (TIME_WARP.old_position)(frame, postures.len(), new_count);
+            warped.push((TIME_WARP.blend)(&postures[before], &postures[after], t));
+        }
+        warped
+    };
+    let cut_off = |postures: &[Posture], new_count: usize| {
+        let mut warped = postures.to_vec();
+        warped.truncate(new_count);
+        warped
+    };
+    let functions = [("old_count", old_count as Warp), ("cut_off", cut_off)];
+    for (name, warp) in functions {
+        for reports in reports(TimeWarpFunctions { warp, ..TIME_WARP }) {
+            assert_eq!(lost_checks(&reports[2]), ["longer", "shorter", "same", "few"]);
+            assert_eq!(names(&reports[2]), [name]);
+        }
+    }
+}
+
+#[test]
+fn a_whole_place_for_t_is_named() {
+    let old_position = |frame: usize, old: usize, new: usize| {
+        let place = frame as f64 * old as f64 / new as f64;
+        let (before, after) = (place.floor() as usize, place.ceil() as usize);
+        Between { before: before.min(old - 1), after: after.min(old - 1), t: place as f32 }
+    };
+    for reports in reports(TimeWarpFunctions { old_position, ..TIME_WARP }) {
+        assert_eq!(lost_checks(&reports[0]), ["slower", "faster", "last", "long"]);
+        assert_eq!(names(&reports[0]), ["t_not_within_a_frame"]);
+    }
+}

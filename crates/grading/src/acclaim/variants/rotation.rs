@@ -1,6 +1,6 @@
 //! Part 1. Right is the product of three rotations: the parent's, the bone's axes at rest, and the angles'.
 
-use glam::Quat;
+use glam::{Quat, Vec3};
 use skeleton::Axis;
 use skeleton::acclaim::Bone;
 
@@ -62,6 +62,13 @@ products! {
     reversed(bone, angles, parent) = turn(angles) * bone.rot_parent_current * parent;
     angles_in_front(bone, angles, parent) = turn(angles) * parent * bone.rot_parent_current;
     parent_inverted(bone, angles, parent) = parent.inverse() * bone.rot_parent_current * turn(angles);
+
+    angles_times_parent(_, angles, parent) = turn(angles) * parent;
+
+    /// The three angles as one rotation's axis, times its angle.
+    rotation_vector(bone, angles, parent) = {
+        parent * bone.rot_parent_current * Quat::from_scaled_axis(Vec3::from(angles.map(f32::to_radians)))
+    };
 
     angles_left_out(bone, _, parent) = parent * bone.rot_parent_current;
     degrees_as_radians(bone, angles, parent) = parent * bone.rot_parent_current * zyx(angles);

@@ -10,8 +10,8 @@ use crate::time_warp::variants::place::{
     BothEndsKept, FromAfter, OneOffNew, OneOffOld, UpsideDown, WholeRatio,
 };
 use crate::time_warp::variants::warp::{
-    CutOrFilled, CutOrRepeated, FromOne, FromOneOneLess, LastKept, OneLess, OneMore, OneOldFrame, OnlyInWarp,
-    WarpedToOneLess, WarpedToOneMore,
+    CutOff, CutOrFilled, CutOrRepeated, FromOne, FromOneOneLess, HalfAndHalf, LastKept, OldCount, OneLess,
+    OneMore, OneOldFrame, OnlyInWarp, WarpedToOneLess, WarpedToOneMore,
 };
 
 const ALL: &[&str] = &["longer", "shorter", "same", "few"];
@@ -48,6 +48,16 @@ fn about_how_many() -> Vec<Misconception> {
             variants: ways![FromOne, FromOneOneLess],
         },
         Misconception {
+            id: "old_count",
+            title: "You make as many frames as the old motion has.",
+            explanation: "The new motion has `new_count` frames, whatever the old one has. Yours breaks off when it is to have more, \
+                          and stands still at its end when it is to have fewer.",
+            hint: "Which frames does your loop go through, the new ones or the old ones?",
+            seen_in: SEVERAL,
+            costs: ALL,
+            variants: ways![OldCount],
+        },
+        Misconception {
             id: "last_kept",
             title: "You let the new motion end with the last old frame.",
             explanation: "With fewer frames than before, the last new one lies before the last old one, as part 1 says. Who puts \
@@ -56,6 +66,16 @@ fn about_how_many() -> Vec<Misconception> {
             seen_in: BETWEEN,
             costs: &["shorter", "few"],
             variants: ways![LastKept],
+        },
+        Misconception {
+            id: "cut_off",
+            title: "You cut the motion off.",
+            explanation: "The new frames are to be spread over the whole old motion: with more of them it becomes slower, and with \
+                          fewer faster. Yours goes as fast as before, and never has more frames than before.",
+            hint: "Which function of yours says where a new frame is in the old motion?",
+            seen_in: SEVERAL,
+            costs: ALL,
+            variants: ways![CutOff],
         },
         Misconception {
             id: "cut_or_filled",
@@ -85,6 +105,16 @@ fn about_what_is_between() -> Vec<Misconception> {
                 OnlyInWarp<OneOldFrame<2>>,
                 OnlyInWarp<OneOldFrame<3>>,
             ],
+        },
+        Misconception {
+            id: "half_and_half",
+            title: "You blend half of one frame with half of the other, wherever the new frame is.",
+            explanation: "That is right half-way between two old frames. The nearer a new frame is to one of them, the more it has of \
+                          that one.",
+            hint: "Part 1 gives two frames and a `t`. Where do you use the `t`?",
+            seen_in: SEVERAL,
+            costs: BETWEEN,
+            variants: ways![OnlyInWarp<HalfAndHalf>],
         },
         Misconception {
             id: "warp_backwards",

@@ -33,6 +33,9 @@ ways! {
         from[axis] + t * way
     });
 
+    /// An arrow that is turned and becomes longer or shorter.
+    ArrowOfAngles(from, to, t) Vec3::from(from).slerp(Vec3::from(to), t).to_array();
+
     /// Those of the first posture.
     FirstAngles(from, _to, _t) from;
 
@@ -133,8 +136,8 @@ impl<const W: u8, const RADIANS: bool, const NORMALIZED: bool> Way
     }
 }
 
-/// Interpolates quaternions, and takes x, y and z of the result for angles: as they are, in radians, or as the sines of
-/// half the angles. Quaternions that come `BY_MATRICES` can have another sign.
+/// Interpolates quaternions, and takes x, y and z of the result for angles: as they are, in radians, as the sines of half
+/// the angles, or as parts of half a turn. Quaternions that come `BY_MATRICES` can have another sign.
 pub struct ComponentsAsAngles<const READ_AS: u8, const BY_MATRICES: bool>;
 
 impl<const READ_AS: u8, const BY_MATRICES: bool> Way for ComponentsAsAngles<READ_AS, BY_MATRICES> {
@@ -148,6 +151,7 @@ impl<const READ_AS: u8, const BY_MATRICES: bool> Way for ComponentsAsAngles<READ
         match READ_AS {
             0 => numbers,
             1 => numbers.map(f32::to_degrees),
+            3 => numbers.map(|part| part * 180.0),
             _ => numbers.map(|sine| 2.0 * sine.clamp(-1.0, 1.0).asin().to_degrees()),
         }
     }
@@ -268,6 +272,15 @@ pub struct TranslationsStay<const AT: usize>;
 impl<const AT: usize> Way for TranslationsStay<AT> {
     fn translation(_: usize, from: Vec3, to: Vec3, _: f32) -> Vec3 {
         [from, to, Vec3::ZERO][AT]
+    }
+}
+
+/// Translations are arrows that are turned and become longer or shorter.
+pub struct TranslationsOnAnArc;
+
+impl Way for TranslationsOnAnArc {
+    fn translation(_: usize, from: Vec3, to: Vec3, t: f32) -> Vec3 {
+        from.slerp(to, t)
     }
 }
 

@@ -53,6 +53,9 @@ ways! {
     /// From the second new frame on, to the last.
     FromOneOneLess(postures, count) right_frames(postures, 1..count, count);
 
+    /// As many frames as before, in the places that new ones have.
+    OldCount(postures, count) right_frames(postures, 0..postures.len(), count);
+
     /// The new motion ends as the old one does.
     LastKept(postures, count) {
         let mut warped: Vec<Posture> = right(postures, count).collect();
@@ -61,6 +64,9 @@ ways! {
         }
         warped
     };
+
+    /// The first frames of the old motion, as many as there are.
+    CutOff(postures, count) postures.iter().take(count).cloned().collect();
 
     /// Frame by frame the old motion, and then its last frame until there are enough.
     CutOrFilled(postures, count) (0..count).map(|frame| postures[frame.min(postures.len() - 1)].clone()).collect();
@@ -82,6 +88,15 @@ impl<const WHICH: u8> Way for OneOldFrame<WHICH> {
             _ => t <= 0.5,
         };
         if is_before { from.clone() } else { to.clone() }
+    }
+}
+
+/// Half of the frame before and half of the one after.
+pub struct HalfAndHalf;
+
+impl Way for HalfAndHalf {
+    fn blend(from: &Posture, to: &Posture, _: f32) -> Posture {
+        solutions::time_warp::blend(from, to, 0.5)
     }
 }
 
