@@ -54,6 +54,7 @@ fn no_rotation_that_is_asked_for_is_near_gimbal_lock() {
                 exam::time_warp::Answer::Position(_) => continue,
                 exam::time_warp::Answer::Blend(posture) => vec![posture],
                 exam::time_warp::Answer::Warp { postures, .. }
+                | exam::time_warp::Answer::Fewer { postures, .. }
                 | exam::time_warp::Answer::Motion(postures) => postures,
             };
             for [x, y, z] in postures.into_iter().flat_map(|posture| posture.angles) {
