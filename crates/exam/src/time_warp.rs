@@ -1,5 +1,8 @@
 //! The exercise on time warping: what can be asked of its three functions.
 
+use std::mem;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use serde::{Deserialize, Serialize};
 use skeleton::acclaim::{Between, Posture, TimeWarpFunctions};
 
@@ -57,6 +60,14 @@ pub enum Answer {
     },
     /// The new motion.
     Motion(Vec<Posture>),
+    /// To a [`Question::Warp`] too: where part 1 names a frame that is not there, part 3 has panicked, and was asked for
+    /// fewer frames, with which part 1 stays within the motion.
+    Fewer {
+        /// By part 3, of fewer frames than the old motion has.
+        postures: Vec<Posture>,
+        /// As many, frame by frame by the student's own parts 1 and 2.
+        by_parts: Vec<Posture>,
+    },
 }
 
 impl Question {
@@ -67,10 +78,7 @@ impl Question {
                 Answer::Position((functions.old_position)(*new_frame, *old_count, *new_count))
             }
             Question::Blend { from, to, t } => Answer::Blend((functions.blend)(from, to, *t)),
-            Question::Warp { postures, new_count } => {
-                let warped = (functions.warp)(postures, *new_count);
-                Answer::Warp { postures: warped, by_parts: by_parts(functions, postures, *new_count) }
-            }
+            Question::Warp { postures, new_count } => warp(functions, postures, *new_count),
             Question::Motion { postures, new_count } => {
                 Answer::Motion((functions.warp)(postures, *new_count))
             }
@@ -93,6 +101,36 @@ impl Question {
         };
         all.saturating_mul(PER_BONE).saturating_add(1024)
     }
+}
+
+fn warp(functions: &TimeWarpFunctions, postures: &[Posture], new_count: usize) -> Answer {
+    let to = |count: usize| (functions.warp)(postures, count);
+    let by_parts = by_parts(functions, postures, new_count);
+    if by_parts.is_some() {
+        return Answer::Warp { postures: to(new_count), by_parts };
+    }
+    if let Some(postures) = caught(|| to(new_count)) {
+        return Answer::Warp { postures, by_parts };
+    }
+    warp_to_fewer(functions, postures, new_count).unwrap_or_else(|| {
+        // It panics once more: of several panics the last one is told.
+        Answer::Warp { postures: to(new_count), by_parts }
+    })
+}
+
+/// With one frame less than before, each of them is between two old ones: if part 1 says so, and part 3 does not panic
+/// there too.
+fn warp_to_fewer(functions: &TimeWarpFunctions, postures: &[Posture], new_count: usize) -> Option<Answer> {
+    let fewer = new_count.min(postures.len()).saturating_sub(1);
+    let by_parts = by_parts(functions, postures, fewer)?;
+    let postures = caught(|| (functions.warp)(postures, fewer))?;
+    Some(Answer::Fewer { postures, by_parts })
+}
+
+/// What a function gives; nothing if it panics.
+fn caught<T>(function: impl FnOnce() -> T) -> Option<T> {
+    // The payload can be anything, and dropping it can panic again.
+    catch_unwind(AssertUnwindSafe(function)).map_err(mem::forget).ok()
 }
 
 /// The motion that the student's own parts 1 and 2 make.

@@ -97,6 +97,45 @@ fn a_part_1_that_leaves_the_motion_makes_none() {
     }
 }
 
+/// As long as there are to be more frames than before.
+const NEXT_FRAME: TimeWarpFunctions = TimeWarpFunctions {
+    old_position: |new_frame, old_count, new_count| {
+        let before = new_frame * old_count / new_count;
+        Between { before, after: before + 1, t: 0.5 }
+    },
+    warp: |postures, new_count| {
+        let frame = |frame| {
+            let Between { before, after, t } = (NEXT_FRAME.old_position)(frame, postures.len(), new_count);
+            (NEXT_FRAME.blend)(&postures[before], &postures[after], t)
+        };
+        (0..new_count).map(frame).collect()
+    },
+    ..PLAIN
+};
+
+#[test]
+fn a_part_3_that_panics_where_part_1_leaves_the_motion_is_asked_for_fewer_frames() {
+    let ask = |functions: TimeWarpFunctions, frames, new_count| {
+        let question = Question::Warp { postures: motion(frames), new_count };
+        InProcess(Functions::TimeWarp(functions))
+            .ask(&exam::Question::TimeWarp(question), Duration::ZERO)
+            .map_err(|failure| failure.to_string())
+    };
+    for (frames, new_count, fewer) in [(4, 6, 3), (4, 4, 3), (1, 1, 0), (1, 9, 0)] {
+        let answer = ask(NEXT_FRAME, frames, new_count).unwrap();
+        let exam::Answer::TimeWarp(Answer::Fewer { postures, by_parts }) = answer else {
+            panic!("{answer:?}")
+        };
+        assert_eq!((postures.len(), &postures), (fewer, &by_parts), "{frames} {new_count}");
+    }
+    assert!(matches!(ask(NEXT_FRAME, 4, 3), Ok(exam::Answer::TimeWarp(Answer::Warp { .. }))));
+    // A panic that has nothing to do with part 1, and a part 1 that always leaves the motion.
+    let panics = TimeWarpFunctions { warp: |_, new_count| panic!("no {new_count} frames"), ..NEXT_FRAME };
+    assert!(ask(panics, 4, 6).unwrap_err().contains("no 6 frames"));
+    let old_position = |_, old_count, _| Between { before: 0, after: old_count, t: 0.5 };
+    assert!(ask(TimeWarpFunctions { old_position, ..panics }, 4, 6).unwrap_err().contains("no 6 frames"));
+}
+
 #[test]
 fn of_a_motion_without_frames_nothing_is_made() {
     let functions = TimeWarpFunctions {

@@ -54,6 +54,7 @@ fn no_rotation_that_is_asked_for_is_near_gimbal_lock() {
                 exam::time_warp::Answer::Position(_) => continue,
                 exam::time_warp::Answer::Blend(posture) => vec![posture],
                 exam::time_warp::Answer::Warp { postures, .. }
+                | exam::time_warp::Answer::Fewer { postures, .. }
                 | exam::time_warp::Answer::Motion(postures) => postures,
             };
             for [x, y, z] in postures.into_iter().flat_map(|posture| posture.angles) {
@@ -173,19 +174,14 @@ fn what_is_not_a_number_is_never_right() {
             assert!(first.difference.between.contains("not a number"), "{first:?}");
         }
     }
-    // Not even where parts 1 and 2 say so.
-    let functions = TimeWarpFunctions {
-        warp: |postures, new_count| {
-            (0..if postures.is_empty() { 0 } else { new_count })
-                .map(|_| Posture {
-                    angles: vec![[f32::NAN; 3]; postures[0].angles.len()],
-                    translations: vec![Vec3::NAN; postures[0].translations.len()],
-                })
-                .collect()
-        },
-        ..functions
+    // Part 3 by itself neither.
+    let warp = |postures: &[Posture], new_count: usize| {
+        let mut warped = (TIME_WARP.warp)(postures, new_count);
+        warped.iter_mut().for_each(|posture| posture.translations.fill(Vec3::NAN));
+        warped
     };
-    assert_eq!(report(functions, 2).points(), 0);
+    let report = report(TimeWarpFunctions { warp, ..TIME_WARP }, 2);
+    assert_eq!(report.points(), 0);
 }
 
 #[test]
@@ -250,6 +246,48 @@ fn the_whole_motion_says_in_which_frame_and_at_which_bone_it_is_first_off() {
     assert_eq!(details[0], "Frame 7 is between the old frames 2 and 3, at t = 0.80.");
     assert!(details[1].starts_with("Yours: translations[3] (") && details[2].starts_with("Expected: "));
     assert!(details[3].starts_with("Wherever a new frame is an old one, it is right"), "{details:?}");
+}
+
+/// What is said when only the end is off, which nothing comes after.
+#[test]
+fn the_whole_motion_says_that_a_frame_is_after_the_last_old_one() {
+    fn at(postures: &[Posture], new_count: usize, place: fn(f64, usize) -> (usize, usize)) -> Vec<Posture> {
+        let frame = |frame| {
+            let along = frame as f64 * postures.len() as f64 / new_count as f64;
+            let (before, after) = place(along, postures.len());
+            (TIME_WARP.blend)(&postures[before], &postures[after], (along - before as f64) as f32)
+        };
+        (0..new_count).map(frame).collect()
+    }
+    let round_again: fn(&[Posture], usize) -> Vec<Posture> = |postures, new_count| {
+        at(postures, new_count, |along, old| (along as usize, (along as usize + 1) % old))
+    };
+    let goes_on: fn(&[Posture], usize) -> Vec<Posture> = |postures, new_count| {
+        at(postures, new_count, |along, old| {
+            let before = (along as usize).min(old - 2);
+            (before, before + 1)
+        })
+    };
+    for warp in [round_again, goes_on] {
+        let functions = TimeWarpFunctions { warp, ..TIME_WARP };
+        let Some(Trouble::Different { summary, details }) = whole(functions).trouble else { panic!() };
+        assert!(summary.contains("2 of 30 frames are off. The first of them is frame 28: "), "{summary}");
+        assert_eq!(details[0], "Frame 28 is after the last old frame, which stays.");
+        assert_eq!(details.len(), 3, "{details:?}");
+    }
+}
+
+#[test]
+fn the_whole_motion_says_what_is_not_a_number() {
+    let warp = |postures: &[Posture], new_count: usize| {
+        let mut warped = (TIME_WARP.warp)(postures, new_count);
+        warped[3].translations[2].y = f32::NAN;
+        warped
+    };
+    let functions = TimeWarpFunctions { warp, ..TIME_WARP };
+    let Some(Trouble::Different { summary, .. }) = whole(functions).trouble else { panic!() };
+    let end = "frame 3: bone 2 is not a number there (NaN), or infinite: look for a division by zero.";
+    assert!(summary.ends_with(end), "{summary}");
 }
 
 #[test]

@@ -8,8 +8,8 @@
 mod marks;
 
 use exam::Functions;
-use grading::Exercise;
-use grading::time_warp::TEMPLATE;
+use grading::time_warp::{TEMPLATE, accepted};
+use grading::{Accepted, Exercise, PartState};
 
 const RIGHT: Functions = Functions::TimeWarp(solutions::TIME_WARP);
 
@@ -21,6 +21,26 @@ fn the_solution_gets_all_points_and_no_remark() {
 #[test]
 fn the_template_is_not_started() {
     marks::not_started(Functions::TimeWarp(TEMPLATE));
+}
+
+/// With four decimals, the fourth of each five, hardly any angle comes back wrong by more than is tolerated.
+#[test]
+fn a_short_pi_gets_all_points_and_a_remark_where_it_makes_a_difference() {
+    let (four_decimals, others): (Vec<_>, Vec<_>) =
+        accepted("part2").into_iter().enumerate().partition(|(index, _)| index % 5 == 3);
+    assert_eq!((four_decimals.len(), others.len()), (3, 12));
+    let others: Vec<Accepted> = others.into_iter().map(|(_, accepted)| accepted).collect();
+    marks::accepted_with_a_remark(1, &others);
+    for (seed, exam) in marks::exams(Exercise::of(&RIGHT)) {
+        for (_, accepted) in &four_decimals {
+            let reports = marks::reports(&exam, accepted.functions);
+            assert!(
+                reports.iter().all(|report| report.state == PartState::Right),
+                "seed {seed}: {reports:?}"
+            );
+            assert!(marks::whole(&exam, accepted.functions).trouble.is_none(), "seed {seed}");
+        }
+    }
 }
 
 #[test]

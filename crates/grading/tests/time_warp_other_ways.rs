@@ -12,7 +12,7 @@ use grading::{CheckState, PUBLIC_SEED, PartReport, PartState, Solutions};
 use skeleton::acclaim::{Between, Posture, TimeWarpFunctions};
 use solutions::TIME_WARP;
 
-use marks::lost_checks;
+use marks::{first_case, lost_checks};
 
 /// The reports on all parts, for the public seed and some others.
 fn reports(functions: TimeWarpFunctions) -> impl Iterator<Item = Vec<PartReport>> {
@@ -248,6 +248,28 @@ fn wrong_parts_1_and_2_cost_nothing_in_part_3() {
     }
 }
 
+/// One new frame, and 0 / 0: what is not a number in part 1 is not one in part 3 either.
+#[test]
+fn a_division_by_zero_in_part_1_costs_nothing_in_part_3() {
+    const BOTH_ENDS: fn(usize, usize, usize) -> Between = |frame, old, new| {
+        let place = frame as f64 * (old - 1) as f64 / (new - 1) as f64;
+        let (before, after) = (place.floor() as usize, place.ceil() as usize);
+        Between { before, after, t: (place - place.floor()) as f32 }
+    };
+    const SINGLE: fn(usize, usize, usize) -> Between = |frame, old, new| {
+        let place = frame as f32 * ((old as f32 - 1.0) / (new as f32 - 1.0));
+        let (before, last) = (place as usize, old - 1);
+        Between { before: before.min(last), after: (before + 1).min(last), t: place - place.floor() }
+    };
+    for functions in [together!(BOTH_ENDS, TIME_WARP.blend), together!(SINGLE, TIME_WARP.blend)] {
+        for reports in reports(functions) {
+            assert_eq!(lost_checks(&reports[0]), ["slower", "faster", "last", "long"]);
+            assert!(lost_checks(&reports[1]).is_empty());
+            assert!(lost_checks(&reports[2]).is_empty(), "{:?}", reports[2]);
+        }
+    }
+}
+
 #[test]
 fn a_right_part_3_may_do_without_wrong_parts_1_and_2() {
     let functions = TimeWarpFunctions { warp: TIME_WARP.warp, ..WRONG };
@@ -269,18 +291,23 @@ fn a_wrong_part_3_costs_points_even_with_wrong_parts_1_and_2() {
     }
 }
 
-/// A part 1 that leaves the motion makes a part 3 that relies on it panic, as it would for anybody who called it. One that
-/// keeps within the motion by itself is right.
+/// A part 1 that leaves the motion makes a part 3 that relies on it panic. With fewer frames it does not, and there part 3
+/// shows what it does.
 #[test]
-fn a_part_1_that_leaves_the_motion_costs_part_3_only_where_it_panics() {
+fn a_part_1_that_leaves_the_motion_costs_nothing_in_part_3() {
     const PAST_THE_END: fn(usize, usize, usize) -> Between = |frame, old, new| {
         let place = frame as f64 * old as f64 / new as f64;
         Between { before: place.floor() as usize, after: place.ceil() as usize, t: place.fract() as f32 }
     };
-    for reports in reports(together!(PAST_THE_END, TIME_WARP.blend)) {
-        assert_eq!(lost_checks(&reports[0]), ["last"]);
-        assert_eq!(lost_checks(&reports[2]), ["longer", "few"]);
-        assert!(matches!(reports[2].checks[0].state, CheckState::Failed { .. }), "{:?}", reports[2]);
+    const NEXT: fn(usize, usize, usize) -> Between = |frame, old, new| {
+        let between = PAST_THE_END(frame, old, new);
+        Between { after: between.before + 1, ..between }
+    };
+    for functions in [together!(PAST_THE_END, TIME_WARP.blend), together!(NEXT, WRONG.blend)] {
+        for reports in reports(functions) {
+            assert_eq!(lost_checks(&reports[0]), ["last"]);
+            assert!(lost_checks(&reports[2]).is_empty(), "{:?}", reports[2]);
+        }
     }
     let careful = TimeWarpFunctions {
         old_position: PAST_THE_END,
@@ -294,6 +321,36 @@ fn a_part_1_that_leaves_the_motion_costs_part_3_only_where_it_panics() {
         ..TIME_WARP
     };
     assert!(reports(careful).all(|reports| lost_checks(&reports[2]).is_empty()));
+}
+
+/// What is wrong with part 3 itself is not excused.
+#[test]
+fn a_part_1_that_leaves_the_motion_does_not_make_a_wrong_part_3_right() {
+    const PAST_THE_END: fn(usize, usize, usize) -> Between = |frame, old, new| {
+        let place = frame as f64 * old as f64 / new as f64;
+        Between { before: place.floor() as usize, after: place.ceil() as usize, t: place.fract() as f32 }
+    };
+    let backwards: fn(&[Posture], usize) -> Vec<Posture> = |postures, new_count| {
+        let frame = |frame| {
+            let Between { before, after, t } = PAST_THE_END(frame, postures.len(), new_count);
+            (TIME_WARP.blend)(&postures[after], &postures[before], t)
+        };
+        (0..if postures.is_empty() { 0 } else { new_count }).map(frame).collect()
+    };
+    let panics: fn(&[Posture], usize) -> Vec<Posture> = |_, new_count| panic!("no {new_count} frames");
+    let wrong =
+        [backwards, panics].map(|warp| TimeWarpFunctions { old_position: PAST_THE_END, warp, ..TIME_WARP });
+    for reports in reports(wrong[0]) {
+        assert_eq!(lost_checks(&reports[2]), ["longer", "shorter"]);
+        let difference = &first_case(&reports[2], "longer").difference;
+        assert!(difference.got.starts_with("of 3 frames: frame 1, angles[0] ("), "{difference:?}");
+        assert!(difference.between.contains("so that fewer were asked for"), "{difference:?}");
+    }
+    for reports in reports(wrong[1]) {
+        assert_eq!((reports[2].state, reports[2].points()), (PartState::Panicked, 0));
+        let CheckState::Failed { failure, .. } = &reports[2].checks[0].state else { panic!() };
+        assert!(failure.to_string().contains("no 6 frames"), "{failure}");
+    }
 }
 
 /// What the parts make of the motion is asked for with part 3, but an untouched part 3 is known by its own answers.

@@ -1,12 +1,15 @@
 //! The three parts together, over several postures of a figure.
 
+use std::iter::successors;
+
 use exam::acclaim::{Answer as AcclaimAnswer, Question as AcclaimQuestion};
 use exam::{Answer, Failure, Question};
-use skeleton::acclaim::{BoneId, BonePlace, Posture, Skeleton};
+use glam::Quat;
+use skeleton::acclaim::{Bone, BoneId, BonePlace, Posture, Skeleton};
 
 use super::figure::{figure, posture};
 use super::misconceptions::accepted;
-use crate::compare::POSITION_TOLERANCE;
+use crate::compare::{POSITION_TOLERANCE, between_rotations};
 use crate::dice::Dice;
 use crate::{Judge, Reference, Trouble, WholeMotion, WholeReport};
 
@@ -88,11 +91,9 @@ impl RightPlaces {
         };
         let is_off = |frame: usize, id: BoneId| self.is_bone_off(&expected[frame][id.0], &got[frame][id.0]);
         let others = self.skeleton.bones().iter().filter(|other| is_off(frame, other.id)).count();
-        let mut details = vec![match bone.parent {
-            Some(parent) => {
-                let parent = self.skeleton.get(parent).map_or("", |parent| &parent.name);
-                format!("Its parent, {parent}, is in its place: look at what becomes of {}.", bone.name)
-            }
+        let parent = bone.parent.and_then(|parent| self.skeleton.get(parent));
+        let mut details = vec![match parent {
+            Some(parent) => self.about_parent(bone, parent, expected, got, frame),
             None => "All others hang on it, directly or not.".to_owned(),
         }];
         details.push(format!("In this frame {others} of {} bones are off.", self.skeleton.len()));
@@ -105,6 +106,42 @@ impl RightPlaces {
             bone.name
         );
         Some(Trouble::Different { summary, details })
+    }
+
+    /// Where to look when `bone` is off in this frame and its parent, with whatever that hangs on, is not.
+    fn about_parent(
+        &self,
+        bone: &Bone,
+        parent: &Bone,
+        expected: &[Places],
+        got: &[Places],
+        frame: usize,
+    ) -> String {
+        // Who counts all rotations from the rest pose, the root's too, may do so.
+        let is_rotation = |right: fn(&Bone, Quat) -> Quat, frame: usize, bone: &Bone| {
+            let [expected, got] = [expected, got].map(|places| places[frame][bone.id.0]);
+            let (Some(expected), Some(got)) = (expected, got) else { return true };
+            between_rotations(right(bone, expected.rotation), got.rotation).is_none()
+        };
+        let from_rest = |bone: &Bone, rotation: Quat| rotation * bone.axis_rotation.inverse();
+        let is_from_rest =
+            (0..expected.len()).all(|frame| is_rotation(from_rest, frame, self.skeleton.root()));
+        let right = if is_from_rest { from_rest } else { |_: &Bone, rotation: Quat| rotation };
+        let is_turned = |bone: &Bone| !is_rotation(right, frame, bone);
+        let is_visited = got[frame][bone.id.0].is_some();
+        if !is_visited || !is_turned(parent) {
+            return format!(
+                "Its parent, {}, is in its place: look at what becomes of {}.",
+                parent.name, bone.name
+            );
+        }
+        let above = |bone: &Bone| bone.parent.and_then(|parent| self.skeleton.get(parent));
+        let turned = successors(Some(parent), |bone| above(bone).filter(|above| is_turned(above)));
+        let first = turned.last().unwrap_or(parent);
+        format!(
+            "Its parent, {}, is in its place, but turned otherwise than it should be: look at how {} is turned.",
+            parent.name, first.name
+        )
     }
 
     /// The first frame with a bone that is off, and the first such bone in it: its parent is in its place.

@@ -9,7 +9,7 @@ mod variants;
 mod whole_motion;
 
 pub use compare::{PLACE_TOLERANCE, TRANSLATION_TOLERANCE};
-pub use misconceptions::misconceptions;
+pub use misconceptions::{accepted, misconceptions};
 pub use paper::exam;
 pub use rubric::RUBRIC;
 pub use variants::TEMPLATE;

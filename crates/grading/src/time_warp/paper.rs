@@ -7,7 +7,7 @@ mod places;
 use exam::time_warp::Question as TimeWarpQuestion;
 use exam::{Answer, Functions, Question};
 
-use super::misconceptions::misconceptions;
+use super::misconceptions::{accepted, misconceptions};
 use super::{RUBRIC, TEMPLATE, whole_motion};
 use crate::dice::{self, Dice};
 use crate::exam_paper::{Known, input};
@@ -15,7 +15,7 @@ use crate::{Case, Difference, Exam, Reference};
 
 /// The exam on time warping. The same seed gives the same questions.
 pub fn exam(seed: u64, reference: &dyn Reference) -> Exam {
-    let known = Known { template: Functions::TimeWarp(TEMPLATE), accepted: |_| Vec::new(), misconceptions };
+    let known = Known { template: Functions::TimeWarp(TEMPLATE), accepted, misconceptions };
     let whole_motion = whole_motion::paper(&mut dice(seed, "whole motion"), reference);
     Exam::fill(&RUBRIC, &known, |part, check| cases(seed, reference, part, check), whole_motion)
 }

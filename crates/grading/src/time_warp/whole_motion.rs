@@ -5,7 +5,9 @@ use exam::{Answer, Failure, Question};
 use skeleton::acclaim::{Between, Posture};
 
 use super::compare::{Off, first_off};
+use super::misconceptions::accepted;
 use super::throws;
+use crate::compare::NOT_A_NUMBER;
 use crate::dice::Dice;
 use crate::{Judge, Reference, Trouble, WholeMotion, WholeReport};
 
@@ -18,13 +20,15 @@ const NEW_COUNT: usize = 30;
 pub(super) fn paper(dice: &mut Dice, reference: &dyn Reference) -> WholeMotion {
     let postures = throws::motion(dice, FRAMES, BONES);
     let question = Question::TimeWarp(TimeWarpQuestion::Motion { postures, new_count: NEW_COUNT });
-    let judge = Box::new(RightMotion { expected: reference.answer(&question) });
+    let expected = reference.answer(&question);
+    let judge = Box::new(RightMotion { question: question.clone(), expected });
     WholeMotion { question, judge }
 }
 
 /// Knows the warped motion.
 #[derive(Debug)]
 struct RightMotion {
+    question: Question,
     expected: Answer,
 }
 
@@ -38,8 +42,22 @@ impl Judge for RightMotion {
             "With your three functions, {FRAMES} frames become {NEW_COUNT}, and in all of them every bone is turned and \
              placed as it should be."
         );
-        let trouble = if got.len() == expected.len() { off(expected, got) } else { Some(other_count(got)) };
+        let trouble = if got.len() != expected.len() {
+            Some(other_count(got))
+        } else {
+            off(expected, got).filter(|_| !self.is_accepted(got))
+        };
         WholeReport { frames: NEW_COUNT, praise, trouble }
+    }
+}
+
+impl RightMotion {
+    /// What part 2 accepts is accepted here too.
+    fn is_accepted(&self, got: &[Posture]) -> bool {
+        accepted("part2").iter().any(|way| {
+            let answer = self.question.ask(&way.functions);
+            postures(&answer).is_some_and(|way| off(way, got).is_none())
+        })
     }
 }
 
@@ -70,7 +88,9 @@ fn off(expected: &[Posture], got: &[Posture]) -> Option<Trouble> {
         in_words(first)
     );
     let Between { before, after, t } = solutions::time_warp::old_position(*frame, FRAMES, NEW_COUNT);
-    let place = if before == after {
+    let place = if is_after_the_last(*frame) {
+        format!("Frame {frame} is after the last old frame, which stays.")
+    } else if before == after {
         format!("Frame {frame} is the old frame {before}.")
     } else {
         format!("Frame {frame} is between the old frames {before} and {after}, at t = {t:.2}.")
@@ -81,7 +101,9 @@ fn off(expected: &[Posture], got: &[Posture]) -> Option<Trouble> {
         format!("Expected: {}.", first.difference.expected),
     ];
     let is_old = |frame: usize| (frame * FRAMES).is_multiple_of(NEW_COUNT);
-    if !all.iter().any(|(frame, _)| is_old(*frame)) {
+    let is_between = |frame: usize| !is_old(frame) && !is_after_the_last(frame);
+    let any = |kind: &dyn Fn(usize) -> bool| all.iter().any(|(frame, _)| kind(*frame));
+    if any(&is_between) && !any(&is_old) {
         details.push(
             "Wherever a new frame is an old one, it is right: it is what is between that is not.".to_owned(),
         );
@@ -89,8 +111,16 @@ fn off(expected: &[Posture], got: &[Posture]) -> Option<Trouble> {
     Some(Trouble::Different { summary, details })
 }
 
+/// Whether there is no old frame after the place of this new one.
+fn is_after_the_last(frame: usize) -> bool {
+    frame * FRAMES > (FRAMES - 1) * NEW_COUNT
+}
+
 fn in_words(off: &Off) -> String {
     match off.bone {
+        Some(bone) if off.difference.between == NOT_A_NUMBER => {
+            format!("bone {bone} is not a number there (NaN), or infinite: look for a division by zero")
+        }
         Some(bone) => format!("bone {bone} is off there, by {}", off.difference.between),
         None => "it has not as many bones as the motion".to_owned(),
     }

@@ -12,6 +12,7 @@ const ALL: &[&str] = &["root", "angles", "rest"];
 const ROOT: &[&str] = &["root"];
 const ANGLES: &[&str] = &["angles"];
 const REST: &[&str] = &["rest"];
+const ROOT_AND_ANGLES: &[&str] = &["root", "angles"];
 /// Where there is a parent.
 const PARENT: &[&str] = &["angles", "rest"];
 
@@ -152,6 +153,16 @@ fn about_the_parent() -> Vec<Misconception> {
             variants: vec![wrong_in_part1(rotation::own_times_parent)],
         },
         Misconception {
+            id: "angles_times_parent",
+            title: "You multiply the angles by the parent's rotation in the wrong order, and leave out the axes at rest.",
+            explanation: "These are two mistakes. In a product the right factor happens first, and the bone's own angles come before \
+                          what its parent does. And a bone's axes are turned against its parent's even if no angle turns it.",
+            hint: "There are three rotations to be multiplied. Which one is missing, and which happens first?",
+            seen_in: PARENT,
+            costs: ALL,
+            variants: vec![wrong_in_part1(rotation::angles_times_parent)],
+        },
+        Misconception {
             id: "reversed",
             title: "You multiply in the reverse order.",
             explanation: "In a product the right factor happens first. Of the parent's rotation, the axes at rest and the angles, \
@@ -186,7 +197,6 @@ fn about_the_parent() -> Vec<Misconception> {
 /// In which order the three rotations are multiplied, and about which axes they are.
 fn about_order() -> Vec<Misconception> {
     use rotation::ordered;
-    const ROOT_AND_ANGLES: &[&str] = &["root", "angles"];
     /// Every order of multiplication, for one wrong order of taking the angles.
     macro_rules! taken {
         ($($taken:literal)*) => {
@@ -238,6 +248,7 @@ fn about_order() -> Vec<Misconception> {
 
 /// What is made of each angle.
 fn about_angles() -> Vec<Misconception> {
+    use rotation::ordered_radians;
     vec![
         Misconception {
             id: "angles_left_out",
@@ -264,6 +275,26 @@ fn about_angles() -> Vec<Misconception> {
             .into(),
         },
         Misconception {
+            id: "degrees_and_order",
+            title: "You mix up degrees and radians, and the order of the three rotations too.",
+            explanation: "These are two mistakes. The file's angles are in degrees, and glam's functions take radians. And in \
+                          Acclaim files the rotation about X happens first: in a product the right factor does.",
+            hint: "Begin with the unit. Then ask which of your three factors stands on the right, and which angle it gets.",
+            seen_in: ANGLES,
+            costs: ALL,
+            variants: [
+                ordered_radians::<0, 0> as Rotation,
+                ordered_radians::<1, 0>,
+                ordered_radians::<2, 0>,
+                ordered_radians::<3, 0>,
+                ordered_radians::<4, 0>,
+                // The right order, and the angles in theirs.
+                ordered_radians::<5, 5>,
+            ]
+            .map(wrong_in_part1)
+            .into(),
+        },
+        Misconception {
             id: "angle_not_halved",
             title: "You do not halve the angle.",
             explanation: "The quaternion of a turn holds the sine and the cosine of half the angle. With the whole one, the bone \
@@ -283,6 +314,16 @@ fn about_angles() -> Vec<Misconception> {
             variants: [rotation::angles_negated as Rotation, rotation::angles_inverted]
                 .map(wrong_in_part1)
                 .into(),
+        },
+        Misconception {
+            id: "rotation_vector",
+            title: "You take the three angles for the axis of one rotation.",
+            explanation: "An axis times an angle are three numbers too, and for a turn about X, Y or Z alone they are the three \
+                          angles. Where two angles are not zero, they mean another rotation.",
+            hint: "The angles are three rotations, one after the other. How many does yours make of them?",
+            seen_in: ANGLES,
+            costs: ROOT_AND_ANGLES,
+            variants: vec![wrong_in_part1(rotation::rotation_vector)],
         },
         Misconception {
             id: "angles_packed",

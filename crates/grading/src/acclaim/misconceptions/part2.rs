@@ -7,6 +7,8 @@ use crate::acclaim::variants::ends;
 const ALL: &[&str] = &["start", "end", "translation"];
 const START: &[&str] = &["start"];
 const END: &[&str] = &["end"];
+/// The root's place shows in both.
+const START_AND_END: &[&str] = &["start", "end"];
 /// Whatever is wrong with the end shows in both.
 const ENDS: &[&str] = &["end", "translation"];
 const TRANSLATION: &[&str] = &["translation"];
@@ -31,6 +33,16 @@ fn about_the_way() -> Vec<Misconception> {
             seen_in: END,
             costs: ENDS,
             variants: vec![wrong_in_part2(ends::length_left_out)],
+        },
+        Misconception {
+            id: "length_twice",
+            title: "You apply the length twice.",
+            explanation: "A direction has the length 1, and times the bone's length it is as long as the bone. Times the length once \
+                          more, long bones become far too long.",
+            hint: "In how many places of your function is the bone's length, and is one of them inside another?",
+            seen_in: END,
+            costs: ENDS,
+            variants: vec![wrong_in_part2(ends::length_twice)],
         },
         Misconception {
             id: "bone_left_out",
@@ -76,6 +88,16 @@ fn about_turning() -> Vec<Misconception> {
             seen_in: END,
             costs: ENDS,
             variants: vec![wrong_in_part2(ends::world_direction)],
+        },
+        Misconception {
+            id: "rest_again",
+            title: "You turn the direction by the bone's axes at rest once more.",
+            explanation: "They are in the rotation that comes from part 1 already: it leads all the way from the bone's own axes into \
+                          the world's.",
+            hint: "From whose axes into whose does each of the rotations lead that you use here?",
+            seen_in: END,
+            costs: ENDS,
+            variants: [ends::rest_again as Ends, ends::rest_in_front].map(wrong_in_part2).into(),
         },
         Misconception {
             id: "not_rotated",
@@ -194,6 +216,26 @@ fn about_the_start() -> Vec<Misconception> {
             seen_in: START,
             costs: START,
             variants: vec![wrong_in_part2(ends::start_at_origin)],
+        },
+        Misconception {
+            id: "start_at_translation",
+            title: "You let the bone start at its translation.",
+            explanation: "The translation is no place. It says how far the bone's end is moved, which is not at all for nearly all \
+                          bones. A bone starts where its parent ends.",
+            hint: "Which of your inputs says where the parent ends?",
+            seen_in: START,
+            costs: START,
+            variants: vec![wrong_in_part2(ends::start_at_translation)],
+        },
+        Misconception {
+            id: "root_by_itself",
+            title: "You treat the root in another way than the other bones.",
+            explanation: "The root has no parent, but where the figure is comes in as `parent_end` all the same. The root's \
+                          translation is zero: a root that is put there stays at the origin, and the figure with it.",
+            hint: "What does your formula for the other bones give for the root? Is a special case needed?",
+            seen_in: START_AND_END,
+            costs: START_AND_END,
+            variants: vec![wrong_in_part2(ends::root_at_translation)],
         },
         Misconception {
             id: "ends_exchanged",

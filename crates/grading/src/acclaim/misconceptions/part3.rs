@@ -27,6 +27,18 @@ fn about_what_is_missing() -> Vec<Misconception> {
             variants: vec![wrong_in_part3(visits::first_child_only)],
         },
         Misconception {
+            id: "child_or_sibling",
+            title: "You go on from a bone to its child or to its sibling, but not to both.",
+            explanation: "Most bones of a figure have a child, and many of these have a sibling too. Whichever of the two you pass \
+                          by, with all that hangs on it, is never visited.",
+            hint: "Draw a bone with a child and a sibling. Which of your lines does each of the two need?",
+            seen_in: ALL,
+            costs: BRANCHES,
+            variants: [visits::sibling_where_no_child as Visits, visits::child_where_no_sibling]
+                .map(wrong_in_part3)
+                .into(),
+        },
+        Misconception {
             id: "siblings_not_entered",
             title: "You visit the siblings, but not what hangs on them.",
             explanation: "A sibling can have bones on it just as the first child can. You go down from the first child only.",
@@ -76,6 +88,16 @@ fn about_what_is_missing() -> Vec<Misconception> {
             seen_in: ALL,
             costs: ALL,
             variants: vec![wrong_in_part3(visits::start_left_out)],
+        },
+        Misconception {
+            id: "only_a_root_begins",
+            title: "You visit the bone that you begin with only if it is the root.",
+            explanation: "The function can be called with any bone. Each child is visited by the bone that it hangs on, but nobody \
+                          does that for the bone that you begin with, unless it is the root.",
+            hint: "Begin with a bone that nothing hangs on. Which line visits it?",
+            seen_in: ALL,
+            costs: SUBTREE,
+            variants: vec![wrong_in_part3(visits::only_a_root_begins)],
         },
     ]
 }

@@ -38,6 +38,9 @@ ends! {
     inverse(bone, rotation, from, moved) = from + rotation.inverse() * own_way(bone) + moved;
     from_the_left_only(bone, rotation, from, moved) = from + (rotation * pure(own_way(bone))).xyz() + moved;
     from_the_right_only(bone, rotation, from, moved) = from + (pure(own_way(bone)) * rotation).xyz() + moved;
+    length_twice(bone, rotation, from, moved) = from + bone.length * way(bone, rotation) + moved;
+    rest_again(bone, rotation, from, moved) = from + rotation * (bone.rot_parent_current * own_way(bone)) + moved;
+    rest_in_front(bone, rotation, from, moved) = from + bone.rot_parent_current * way(bone, rotation) + moved;
     backwards(bone, rotation, from, moved) = from - way(bone, rotation) + moved;
     bone_left_out(_, _, from, moved) = from + moved;
 
@@ -77,6 +80,14 @@ pub fn start_at_origin(bone: &Bone, rotation: Quat, from: Vec3, moved: Vec3) -> 
     (Vec3::ZERO, from + way(bone, rotation) + moved)
 }
 
+pub fn start_at_translation(bone: &Bone, rotation: Quat, from: Vec3, moved: Vec3) -> (Vec3, Vec3) {
+    (moved, from + way(bone, rotation) + moved)
+}
+
 pub fn exchanged(bone: &Bone, rotation: Quat, from: Vec3, moved: Vec3) -> (Vec3, Vec3) {
     (from + way(bone, rotation) + moved, from)
+}
+
+pub fn root_at_translation(bone: &Bone, rotation: Quat, from: Vec3, moved: Vec3) -> (Vec3, Vec3) {
+    if bone.is_root() { (moved, moved) } else { (from, from + way(bone, rotation) + moved) }
 }

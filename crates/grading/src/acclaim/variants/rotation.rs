@@ -1,6 +1,6 @@
 //! Part 1. Right is the product of three rotations: the parent's, the bone's axes at rest, and the angles'.
 
-use glam::Quat;
+use glam::{Quat, Vec3};
 use skeleton::Axis;
 use skeleton::acclaim::Bone;
 
@@ -63,6 +63,13 @@ products! {
     angles_in_front(bone, angles, parent) = turn(angles) * parent * bone.rot_parent_current;
     parent_inverted(bone, angles, parent) = parent.inverse() * bone.rot_parent_current * turn(angles);
 
+    angles_times_parent(_, angles, parent) = turn(angles) * parent;
+
+    /// The three angles as one rotation's axis, times its angle.
+    rotation_vector(bone, angles, parent) = {
+        parent * bone.rot_parent_current * Quat::from_scaled_axis(Vec3::from(angles.map(f32::to_radians)))
+    };
+
     angles_left_out(bone, _, parent) = parent * bone.rot_parent_current;
     degrees_as_radians(bone, angles, parent) = parent * bone.rot_parent_current * zyx(angles);
     to_degrees(bone, angles, parent) = parent * bone.rot_parent_current * zyx(angles.map(f32::to_degrees));
@@ -100,11 +107,20 @@ const ORDERS: [[Axis; 3]; 6] = [[X, Y, Z], [X, Z, Y], [Y, X, Z], [Y, Z, X], [Z, 
 /// Multiplies in one of the [`ORDERS`]. Of `TAKEN`, which is one of them too, the first axis gets the first angle, and
 /// so on: 0 is right.
 pub fn ordered<const ORDER: usize, const TAKEN: usize>(bone: &Bone, angles: [f32; 3], parent: Quat) -> Quat {
+    ordered_radians::<ORDER, TAKEN>(bone, angles.map(f32::to_radians), parent)
+}
+
+/// The same with the angles for radians, whatever they are.
+pub fn ordered_radians<const ORDER: usize, const TAKEN: usize>(
+    bone: &Bone,
+    angles: [f32; 3],
+    parent: Quat,
+) -> Quat {
     let mut of_axis = [0.0; 3];
     for (axis, angle) in ORDERS[TAKEN].into_iter().zip(angles) {
         of_axis[axis.index()] = angle;
     }
-    let turn = |axis: Axis| Quat::from_axis_angle(axis.unit(), of_axis[axis.index()].to_radians());
+    let turn = |axis: Axis| Quat::from_axis_angle(axis.unit(), of_axis[axis.index()]);
     parent * bone.rot_parent_current * ORDERS[ORDER].into_iter().map(turn).product::<Quat>()
 }
 

@@ -74,6 +74,31 @@ pub fn start_left_out(skeleton: &Skeleton, start: &Bone, visitor: &mut Visitor) 
     }
 }
 
+/// Every child is visited by the bone that it hangs on, and the root by itself.
+pub fn only_a_root_begins(skeleton: &Skeleton, start: &Bone, visitor: &mut Visitor) {
+    if start.is_root() {
+        visitor.visit(start);
+    }
+    for child in children(skeleton, start) {
+        visitor.visit(child);
+        only_a_root_begins(skeleton, child, visitor);
+    }
+}
+
+pub fn sibling_where_no_child(skeleton: &Skeleton, start: &Bone, visitor: &mut Visitor) {
+    visitor.visit(start);
+    if let Some(next) = bone(skeleton, start.child.or(start.sibling)) {
+        sibling_where_no_child(skeleton, next, visitor);
+    }
+}
+
+pub fn child_where_no_sibling(skeleton: &Skeleton, start: &Bone, visitor: &mut Visitor) {
+    visitor.visit(start);
+    if let Some(next) = bone(skeleton, start.sibling.or(start.child)) {
+        child_where_no_sibling(skeleton, next, visitor);
+    }
+}
+
 pub fn children_first(skeleton: &Skeleton, start: &Bone, visitor: &mut Visitor) {
     for child in children(skeleton, start) {
         children_first(skeleton, child, visitor);

@@ -24,6 +24,23 @@ pub(in crate::time_warp) fn first_off(expected: &Posture, got: &Posture) -> Opti
     all.min_by_key(|off| off.bone)
 }
 
+/// Whether a posture is the one that somebody's own functions give. Where both are not numbers, they are the same: whoever
+/// divided by zero has lost the points for it elsewhere.
+pub(super) fn is_own(own: &Posture, got: &Posture) -> bool {
+    let (mut own, mut got) = (own.clone(), got.clone());
+    for (own, got) in own.angles.iter_mut().zip(&mut got.angles) {
+        if [&*own, &*got].iter().all(|angles| angles.iter().any(|angle| !angle.is_finite())) {
+            (*own, *got) = ([0.0; 3], [0.0; 3]);
+        }
+    }
+    for (own, got) in own.translations.iter_mut().zip(&mut got.translations) {
+        if !own.is_finite() && !got.is_finite() {
+            (*own, *got) = (Vec3::ZERO, Vec3::ZERO);
+        }
+    }
+    first_off(&own, &got).is_none()
+}
+
 /// The first bone whose angles stand for another rotation.
 pub(super) fn rotations_off(expected: &Posture, got: &Posture) -> Option<Off> {
     first("angles", &expected.angles, &got.angles, |expected, got| {
@@ -121,6 +138,21 @@ mod tests {
         assert!(bone == Some(1) && between.ends_with('°'), "{between}");
         got.translations.pop();
         assert_eq!(said(&right, &got).unwrap(), (None, "1 translations".to_owned()));
+    }
+
+    #[test]
+    fn what_is_not_a_number_can_be_ones_own() {
+        let number = posture(&[[10.0, 20.0, 30.0]; 2], &[[1.0, 2.0, 3.0]; 2]);
+        let mut odd = number.clone();
+        odd.angles[1][0] = f32::NAN;
+        odd.translations[0] = Vec3::INFINITY;
+        assert!(is_own(&odd, &odd) && is_own(&number, &number));
+        assert!(!is_own(&number, &odd) && !is_own(&odd, &number));
+        let mut other = odd.clone();
+        other.angles[0][0] += 1.0;
+        assert!(!is_own(&odd, &other));
+        other.angles.pop();
+        assert!(!is_own(&odd, &other));
     }
 
     #[test]

@@ -3,9 +3,10 @@
 use super::ways;
 use crate::Misconception;
 use crate::time_warp::variants::place::{
-    BothEndsKept, FewDigits, FromAfter, FromNext, GoesOn, LessAfter, NextPastTheEnd, OneOffNew, OneOffOld,
-    PastTheEnd, RoundAgain, Rounded, RoundedDown, RoundedTiesDown, RoundedUp, UpsideDown,
-    UpsideDownHalfBound, UpsideDownUnbound, WholeRatio,
+    BothEndsKept, FewDigits, FromAfter, FromNext, GoesOn, LessAfter, MiddleOfFrames, NextPastTheEnd,
+    OneOffNew, OneOffOld, PastTheEnd, Remainder, RemainderToNext, RoundAgain, Rounded, RoundedDown,
+    RoundedTiesDown, RoundedUp, Share, ShareToNext, UpsideDown, UpsideDownHalfBound, UpsideDownUnbound,
+    WholePlace, WholePlaceToNext, WholeRatio,
 };
 
 const ALL: &[&str] = &["slower", "faster", "last", "long"];
@@ -32,6 +33,17 @@ fn about_the_mapping() -> Vec<Misconception> {
             seen_in: MIDDLE,
             costs: ALL,
             variants: ways![BothEndsKept],
+        },
+        Misconception {
+            id: "middle_of_frames",
+            title: "Your mapping takes frames by their middle. It is a good one, but not the one that is asked for here.",
+            explanation: "Half a frame more before you multiply and half a frame less afterwards is how pictures are scaled, from \
+                          the middle of a pixel to the middle of another. Warped to twice as many frames, none of the old ones \
+                          would be in the new motion. Here a frame counts from where it begins.",
+            hint: "Where is the new frame 0 in the old motion, with your mapping and with the one in the text?",
+            seen_in: MIDDLE,
+            costs: ALL,
+            variants: ways![MiddleOfFrames],
         },
         Misconception {
             id: "one_count_less_one",
@@ -76,6 +88,16 @@ fn about_t() -> Vec<Misconception> {
             seen_in: MIDDLE,
             costs: ALL,
             variants: ways![FromAfter, FromNext, LessAfter],
+        },
+        Misconception {
+            id: "t_not_within_a_frame",
+            title: "Your `t` does not go from 0 to 1 between one old frame and the next.",
+            explanation: "At the frame before `t` is 0, and at the frame after it is 1, between any two old frames. So it begins \
+                          anew at each of them, and is never above 1.",
+            hint: "At 2.25, the frame before is 2. How far is it from there, and what is your `t`?",
+            seen_in: MIDDLE,
+            costs: ALL,
+            variants: ways![WholePlace, WholePlaceToNext, Remainder, RemainderToNext, Share, ShareToNext,],
         },
         Misconception {
             id: "whole_frames_only",

@@ -3,9 +3,10 @@
 use super::ways;
 use crate::Misconception;
 use crate::time_warp::variants::blend::{
-    AsTheyCome, Backwards, ComponentsAsAngles, DegreesAndRadians, Exchanged, FirstAngles, NearerAngles,
-    OnlyTheRootMoves, Ordered, PackedAndUnpacked, PackedForSlerp, RotationVector, SecondAngles,
-    ShorterAngles, StraightAngles, StraightLine, TranslationsStay,
+    ArrowOfAngles, AsTheyCome, Backwards, ComponentsAsAngles, DegreesAndRadians, Exchanged, FirstAngles,
+    NearerAngles, OnlyTheRootMoves, Ordered, OrderedDegrees, PackedAndUnpacked, PackedForSlerp,
+    RotationVector, SecondAngles, ShorterAngles, StraightAngles, StraightLine, TranslationsOnAnArc,
+    TranslationsStay,
 };
 
 const ALL: &[&str] = &["translations", "one_axis", "all_axes", "wrap"];
@@ -38,6 +39,16 @@ fn about_angles() -> Vec<Misconception> {
             seen_in: ROTATIONS,
             costs: &["all_axes"],
             variants: ways![ShorterAngles],
+        },
+        Misconception {
+            id: "angles_as_an_arrow",
+            title: "You interpolate three angles as if they were an arrow.",
+            explanation: "A `Vec3` has a `slerp` too: it turns an arrow from one direction into the other. Three angles are no arrow, \
+                          and where the bone points has nothing to do with where that one does.",
+            hint: "The text of the function names three steps. Which of them does yours do?",
+            seen_in: ROTATIONS,
+            costs: ROTATIONS,
+            variants: ways![ArrowOfAngles],
         },
         Misconception {
             id: "angles_stay",
@@ -85,7 +96,7 @@ fn about_components() -> Vec<Misconception> {
             hint: "One step is missing at the end. Which function does the opposite of `Quat::from_euler`?",
             seen_in: ROTATIONS,
             costs: ROTATIONS,
-            variants: ways![ComponentsAsAngles<0, false>, ComponentsAsAngles<0, true>, ComponentsAsAngles<1, false>, ComponentsAsAngles<1, true>, ComponentsAsAngles<2, false>, ComponentsAsAngles<2, true>],
+            variants: ways![ComponentsAsAngles<0, false>, ComponentsAsAngles<0, true>, ComponentsAsAngles<1, false>, ComponentsAsAngles<1, true>, ComponentsAsAngles<2, false>, ComponentsAsAngles<2, true>, ComponentsAsAngles<3, false>, ComponentsAsAngles<3, true>],
         },
         Misconception {
             id: "rotation_vector",
@@ -160,6 +171,21 @@ fn about_conversion() -> Vec<Misconception> {
                 DegreesAndRadians<true, true>,
             ],
         },
+        Misconception {
+            id: "degrees_and_order",
+            title: "You mix up degrees and radians, and the order of the three rotations too.",
+            explanation: "These are two mistakes. The angles of a posture are in degrees, and glam's functions take and give \
+                          radians. And the angles mean Rz Ry Rx.",
+            hint: "Begin with the unit, on both ways. Then ask which `EulerRot` stands for Rz Ry Rx, and in which order it takes the \
+                   angles.",
+            seen_in: ROTATIONS,
+            costs: ROTATIONS,
+            variants: ways![
+                OrderedDegrees<0, true, true>, OrderedDegrees<0, true, false>, OrderedDegrees<0, false, true>,
+                OrderedDegrees<1, true, true>, OrderedDegrees<2, true, true>,
+                OrderedDegrees<3, true, true>, OrderedDegrees<4, true, true>,
+            ],
+        },
     ]
 }
 
@@ -227,6 +253,16 @@ fn about_the_ends() -> Vec<Misconception> {
             seen_in: TRANSLATIONS,
             costs: TRANSLATIONS,
             variants: ways![TranslationsStay<0>, TranslationsStay<1>, TranslationsStay<2>],
+        },
+        Misconception {
+            id: "translations_on_an_arc",
+            title: "You move the bones on an arc.",
+            explanation: "`slerp` is for what turns. A translation goes straight from the one place to the other, and the figure with \
+                          it.",
+            hint: "Where is a point half-way between two others? Which function of a `Vec3` gives it?",
+            seen_in: TRANSLATIONS,
+            costs: TRANSLATIONS,
+            variants: ways![TranslationsOnAnArc],
         },
         Misconception {
             id: "only_the_root_moves",

@@ -10,8 +10,8 @@ use crate::time_warp::variants::place::{
     BothEndsKept, FromAfter, OneOffNew, OneOffOld, UpsideDown, WholeRatio,
 };
 use crate::time_warp::variants::warp::{
-    CutOrFilled, CutOrRepeated, LastKept, OneLess, OneMore, OneOldFrame, OnlyInWarp, WarpedToOneLess,
-    WarpedToOneMore,
+    CutOff, CutOrFilled, CutOrRepeated, FromOne, FromOneOneLess, HalfAndHalf, LastKept, OldCount, OneLess,
+    OneMore, OneOldFrame, OnlyInWarp, WarpedToOneLess, WarpedToOneMore,
 };
 
 const ALL: &[&str] = &["longer", "shorter", "same", "few"];
@@ -33,9 +33,29 @@ fn about_how_many() -> Vec<Misconception> {
             title: "Your number of frames is off by one.",
             explanation: "The new motion has `new_count` frames, numbered from 0 to `new_count` − 1.",
             hint: "How often does your loop go round when `new_count` is 1? In Rust `0..n` ends before `n`, and `0..=n` with it.",
-            seen_in: ALL,
+            // With few frames, what one too many is depends on part 1.
+            seen_in: SEVERAL,
             costs: ALL,
             variants: ways![OneMore, OneLess, WarpedToOneMore, WarpedToOneLess],
+        },
+        Misconception {
+            id: "begins_at_1",
+            title: "You begin with the new frame number 1.",
+            explanation: "Frames are counted from 0. Yours leave the first one out, so that the motion begins too late.",
+            hint: "Which posture of the old motion should the first new one be, and which is yours?",
+            seen_in: SEVERAL,
+            costs: ALL,
+            variants: ways![FromOne, FromOneOneLess],
+        },
+        Misconception {
+            id: "old_count",
+            title: "You make as many frames as the old motion has.",
+            explanation: "The new motion has `new_count` frames, whatever the old one has. Yours breaks off when it is to have more, \
+                          and stands still at its end when it is to have fewer.",
+            hint: "Which frames does your loop go through, the new ones or the old ones?",
+            seen_in: SEVERAL,
+            costs: ALL,
+            variants: ways![OldCount],
         },
         Misconception {
             id: "last_kept",
@@ -46,6 +66,16 @@ fn about_how_many() -> Vec<Misconception> {
             seen_in: BETWEEN,
             costs: &["shorter", "few"],
             variants: ways![LastKept],
+        },
+        Misconception {
+            id: "cut_off",
+            title: "You cut the motion off.",
+            explanation: "The new frames are to be spread over the whole old motion: with more of them it becomes slower, and with \
+                          fewer faster. Yours goes as fast as before, and never has more frames than before.",
+            hint: "Which function of yours says where a new frame is in the old motion?",
+            seen_in: SEVERAL,
+            costs: ALL,
+            variants: ways![CutOff],
         },
         Misconception {
             id: "cut_or_filled",
@@ -75,6 +105,16 @@ fn about_what_is_between() -> Vec<Misconception> {
                 OnlyInWarp<OneOldFrame<2>>,
                 OnlyInWarp<OneOldFrame<3>>,
             ],
+        },
+        Misconception {
+            id: "half_and_half",
+            title: "You blend half of one frame with half of the other, wherever the new frame is.",
+            explanation: "That is right half-way between two old frames. The nearer a new frame is to one of them, the more it has of \
+                          that one.",
+            hint: "Part 1 gives two frames and a `t`. Where do you use the `t`?",
+            seen_in: SEVERAL,
+            costs: BETWEEN,
+            variants: ways![OnlyInWarp<HalfAndHalf>],
         },
         Misconception {
             id: "warp_backwards",

@@ -1,8 +1,11 @@
 //! Part 2.
 
+use std::marker::PhantomData;
+
 use glam::{EulerRot, Mat3, Quat, Vec3, Vec4};
 
 use super::{Way, angles, quaternion};
+use crate::fk::variants::{Exact, Pi};
 
 /// What each makes of the angles of a bone in two postures.
 macro_rules! ways {
@@ -30,6 +33,9 @@ ways! {
         from[axis] + t * way
     });
 
+    /// An arrow that is turned and becomes longer or shorter.
+    ArrowOfAngles(from, to, t) Vec3::from(from).slerp(Vec3::from(to), t).to_array();
+
     /// Those of the first posture.
     FirstAngles(from, _to, _t) from;
 
@@ -38,6 +44,21 @@ ways! {
 
     /// Those of the posture that is nearer.
     NearerAngles(from, to, t) if t < 0.5 { from } else { to };
+}
+
+/// Right, but for the number that somebody takes for π when quaternions are made of angles, when angles are made of
+/// quaternions, or both.
+pub struct ShortPi<P, const INTO: bool, const OUT: bool>(PhantomData<P>);
+
+impl<P: Pi, const INTO: bool, const OUT: bool> Way for ShortPi<P, INTO, OUT> {
+    fn quaternion(angles: [f32; 3]) -> Quat {
+        quaternion(if INTO { angles.map(|degrees| degrees * (P::PI / Exact::PI)) } else { angles })
+    }
+
+    fn angles(rotation: Quat) -> [f32; 3] {
+        let angles = angles(rotation);
+        if OUT { angles.map(|degrees| degrees * (Exact::PI / P::PI)) } else { angles }
+    }
 }
 
 /// A straight line, brought back to length 1.
@@ -115,8 +136,8 @@ impl<const W: u8, const RADIANS: bool, const NORMALIZED: bool> Way
     }
 }
 
-/// Interpolates quaternions, and takes x, y and z of the result for angles: as they are, in radians, or as the sines of
-/// half the angles. Quaternions that come `BY_MATRICES` can have another sign.
+/// Interpolates quaternions, and takes x, y and z of the result for angles: as they are, in radians, as the sines of half
+/// the angles, or as parts of half a turn. Quaternions that come `BY_MATRICES` can have another sign.
 pub struct ComponentsAsAngles<const READ_AS: u8, const BY_MATRICES: bool>;
 
 impl<const READ_AS: u8, const BY_MATRICES: bool> Way for ComponentsAsAngles<READ_AS, BY_MATRICES> {
@@ -130,6 +151,7 @@ impl<const READ_AS: u8, const BY_MATRICES: bool> Way for ComponentsAsAngles<READ
         match READ_AS {
             0 => numbers,
             1 => numbers.map(f32::to_degrees),
+            3 => numbers.map(|part| part * 180.0),
             _ => numbers.map(|sine| 2.0 * sine.clamp(-1.0, 1.0).asin().to_degrees()),
         }
     }
@@ -217,6 +239,20 @@ impl<const INTO: bool, const OUT: bool> Way for DegreesAndRadians<INTO, OUT> {
     }
 }
 
+/// The same with the angles in another order.
+pub struct OrderedDegrees<const ORDER: u8, const INTO: bool, const OUT: bool>;
+
+impl<const ORDER: u8, const INTO: bool, const OUT: bool> Way for OrderedDegrees<ORDER, INTO, OUT> {
+    fn quaternion(angles: [f32; 3]) -> Quat {
+        Ordered::<ORDER, ORDER>::quaternion(if INTO { angles.map(f32::to_degrees) } else { angles })
+    }
+
+    fn angles(rotation: Quat) -> [f32; 3] {
+        let angles = Ordered::<ORDER, ORDER>::angles(rotation);
+        if OUT { angles.map(f32::to_radians) } else { angles }
+    }
+}
+
 /// Counts from the second posture to the first.
 pub struct Backwards<const ANGLES: bool, const TRANSLATIONS: bool>;
 
@@ -236,6 +272,15 @@ pub struct TranslationsStay<const AT: usize>;
 impl<const AT: usize> Way for TranslationsStay<AT> {
     fn translation(_: usize, from: Vec3, to: Vec3, _: f32) -> Vec3 {
         [from, to, Vec3::ZERO][AT]
+    }
+}
+
+/// Translations are arrows that are turned and become longer or shorter.
+pub struct TranslationsOnAnArc;
+
+impl Way for TranslationsOnAnArc {
+    fn translation(_: usize, from: Vec3, to: Vec3, t: f32) -> Vec3 {
+        from.slerp(to, t)
     }
 }
 

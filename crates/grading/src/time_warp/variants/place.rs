@@ -18,6 +18,17 @@ fn place(new_frame: usize, old_count: usize, new_count: usize) -> f64 {
     new_frame as f64 * old_count as f64 / new_count as f64
 }
 
+/// Between the frame before a place and the one that follows it, wherever the place is.
+fn from_next(place: f64, old_count: usize, t: f32) -> Between {
+    let (before, last) = (place.floor() as usize, old_count - 1);
+    Between { before: before.min(last), after: (before + 1).min(last), t }
+}
+
+/// How far the new motion has got at this frame.
+fn share(new_frame: usize, new_count: usize) -> f32 {
+    (new_frame as f64 / new_count as f64) as f32
+}
+
 /// What each gives for a frame of the new motion.
 macro_rules! ways {
     ($($(#[$doc:meta])* $name:ident($frame:ident, $old:ident, $new:ident) $body:expr;)*) => {
@@ -60,6 +71,11 @@ ways! {
         let place = place(frame, new, old);
         let after = (place.ceil() as usize).min(old - 1);
         Between { before: place.floor() as usize, after, t: place.fract() as f32 }
+    };
+
+    /// The middle of a frame is the middle of another.
+    MiddleOfFrames(frame, old, new) {
+        at(((frame as f64 + 0.5) * old as f64 / new as f64 - 0.5).max(0.0), old)
     };
 
     /// The ratio as a whole number.
@@ -107,6 +123,32 @@ ways! {
         let place = place(frame, old, new);
         Between { t: (place - place.ceil()) as f32, ..at(place, old) }
     };
+
+    /// The place, of which nothing was taken off.
+    WholePlace(frame, old, new) {
+        let place = place(frame, old, new);
+        Between { t: place as f32, ..at(place, old) }
+    };
+
+    /// The same, where the frame after is always the next one.
+    WholePlaceToNext(frame, old, new) {
+        let place = place(frame, old, new);
+        from_next(place, old, place as f32)
+    };
+
+    /// What is left over by a division that was not finished.
+    Remainder(frame, old, new) {
+        Between { t: (frame * old % new) as f32, ..at(place(frame, old, new), old) }
+    };
+
+    /// The same, where the frame after is always the next one.
+    RemainderToNext(frame, old, new) from_next(place(frame, old, new), old, (frame * old % new) as f32);
+
+    /// How far the new motion has got.
+    Share(frame, old, new) Between { t: share(frame, new), ..at(place(frame, old, new), old) };
+
+    /// The same, where the frame after is always the next one.
+    ShareToNext(frame, old, new) from_next(place(frame, old, new), old, share(frame, new));
 
     /// The frame before, whole.
     RoundedDown(frame, old, new) Between { t: 0.0, ..at(place(frame, old, new), old) };

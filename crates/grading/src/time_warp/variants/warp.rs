@@ -1,6 +1,7 @@
 //! Part 3.
 
 use std::marker::PhantomData;
+use std::ops::Range;
 
 use skeleton::acclaim::Posture;
 
@@ -26,6 +27,11 @@ fn right(postures: &[Posture], new_count: usize) -> impl Iterator<Item = Posture
     (0..new_count).map(move |frame| right_frame(postures, frame, new_count))
 }
 
+/// Other frames than those that were asked for, each as it should be.
+fn right_frames(postures: &[Posture], frames: Range<usize>, new_count: usize) -> Vec<Posture> {
+    frames.map(|frame| right_frame(postures, frame, new_count)).collect()
+}
+
 ways! {
     /// Right, and then one frame more.
     OneMore(postures, count) {
@@ -41,6 +47,15 @@ ways! {
     /// As if one frame less had been asked for.
     WarpedToOneLess(postures, count) right(postures, count.saturating_sub(1)).collect();
 
+    /// From the second new frame on, and one behind the last.
+    FromOne(postures, count) right_frames(postures, 1..count + 1, count);
+
+    /// From the second new frame on, to the last.
+    FromOneOneLess(postures, count) right_frames(postures, 1..count, count);
+
+    /// As many frames as before, in the places that new ones have.
+    OldCount(postures, count) right_frames(postures, 0..postures.len(), count);
+
     /// The new motion ends as the old one does.
     LastKept(postures, count) {
         let mut warped: Vec<Posture> = right(postures, count).collect();
@@ -49,6 +64,9 @@ ways! {
         }
         warped
     };
+
+    /// The first frames of the old motion, as many as there are.
+    CutOff(postures, count) postures.iter().take(count).cloned().collect();
 
     /// Frame by frame the old motion, and then its last frame until there are enough.
     CutOrFilled(postures, count) (0..count).map(|frame| postures[frame.min(postures.len() - 1)].clone()).collect();
@@ -70,6 +88,15 @@ impl<const WHICH: u8> Way for OneOldFrame<WHICH> {
             _ => t <= 0.5,
         };
         if is_before { from.clone() } else { to.clone() }
+    }
+}
+
+/// Half of the frame before and half of the one after.
+pub struct HalfAndHalf;
+
+impl Way for HalfAndHalf {
+    fn blend(from: &Posture, to: &Posture, _: f32) -> Posture {
+        solutions::time_warp::blend(from, to, 0.5)
     }
 }
 
