@@ -11,29 +11,71 @@ use crate::source::{LONGEST_WORD, Place, Source};
 
 /// What can be wrong with a text of one format: the `ErrorKind` of that format.
 pub trait Kind: std::error::Error + From<Problem> {
+    /// What the format is called.
+    const FORMAT: &'static str;
+
     /// What to do, in one or two sentences.
     fn help(&self) -> &'static str;
 }
 
 /// What can be wrong with a text of any format.
-#[derive(Debug)]
-pub struct Problem(pub(crate) Common);
-
-/// See [`Problem`].
-#[derive(Debug)]
-pub(crate) enum Common {
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Problem {
     /// The system could not read on.
-    Io(io::Error),
+    #[error("cannot be read: {0}")]
+    Io(#[source] io::Error),
     /// The text ends too soon.
-    Ended { expected: &'static str },
+    #[error("the file ends here, expected {expected}")]
+    Ended {
+        /// What could stand there.
+        expected: &'static str,
+    },
     /// Another word was expected.
-    Unexpected { found: String, expected: &'static str },
-    /// Version control has left this mark.
-    MergeConflict { found: String },
+    #[error("found `{found}`, expected {expected}")]
+    Unexpected {
+        /// The word that is there.
+        found: String,
+        /// What could stand there.
+        expected: &'static str,
+    },
+    /// Version control has left its marks.
+    #[error("found `{found}`, expected {format}: this marks a merge conflict that has not been resolved")]
+    MergeConflict {
+        /// The mark.
+        found: String,
+        /// What the format is called.
+        format: &'static str,
+    },
     /// A count is larger than any that can be held.
-    LargeCount { found: String, expected: &'static str },
+    #[error("found `{found}`, which is too large, expected {expected}")]
+    LargeCount {
+        /// The word.
+        found: String,
+        /// What is counted.
+        expected: &'static str,
+    },
     /// A number is none that can be used.
+    #[error(transparent)]
     Number(NumberError),
+}
+
+impl Problem {
+    /// What to do, in one or two sentences.
+    pub fn help(&self) -> &'static str {
+        match self {
+            Problem::Io(_) => "Check that the file is a file, and that you may read it.",
+            Problem::Ended { .. } => "The file seems to be cut off: get it again from where it came from.",
+            Problem::Unexpected { .. } => {
+                "Look for a word that is missing, misspelt or too many, here or just above."
+            }
+            Problem::MergeConflict { .. } => {
+                "Keep one of the two versions, and delete the lines that begin with <<<<<<<, ======= and >>>>>>>."
+            }
+            Problem::LargeCount { .. } => "No file can hold so many: write how many there are.",
+            Problem::Number(problem) => problem.help(),
+        }
+    }
 }
 
 /// Why a number cannot be used.
@@ -150,7 +192,7 @@ impl<K: Kind> Error<K> {
     /// An error at the next word of `source`. If the text only seems to be at fault because the system could not
     /// read on, the error says that.
     pub(crate) fn here(source: &mut Source, kind: K) -> Self {
-        let kind = source.take_failure().map_or(kind, |cause| Problem(Common::Io(cause)).into());
+        let kind = source.take_failure().map_or(kind, |cause| Problem::Io(cause).into());
         let place = source.place();
         let snippet = Some(source.snippet()).filter(|snippet| !snippet.is_empty());
         Error { place, snippet, kind: Box::new(kind) }
@@ -160,7 +202,7 @@ impl<K: Kind> Error<K> {
     /// [`Error::here`], if the system could not read on.
     pub(crate) fn before(place: Place, snippet: Option<Snippet>, source: &mut Source, kind: K) -> Self {
         match source.take_failure() {
-            Some(cause) => Error::here(source, Problem(Common::Io(cause)).into()),
+            Some(cause) => Error::here(source, Problem::Io(cause).into()),
             None => Error { place, snippet, kind: Box::new(kind) },
         }
     }
@@ -170,29 +212,31 @@ impl<K: Kind> Error<K> {
         Error {
             place: Place { line: 1, column: 1 },
             snippet: None,
-            kind: Box::new(Problem(Common::Io(cause)).into()),
+            kind: Box::new(Problem::Io(cause).into()),
         }
     }
 
     /// The next word of `source` is not what was `expected`.
     pub(crate) fn unexpected(source: &mut Source, expected: &'static str) -> Self {
         let problem = match source.peek() {
-            [] => Common::Ended { expected },
-            word if is_conflict_mark(word) => Common::MergeConflict { found: printable_start(word) },
-            word => Common::Unexpected { found: printable_start(word), expected },
+            [] => Problem::Ended { expected },
+            word if is_conflict_mark(word) => {
+                Problem::MergeConflict { found: printable_start(word), format: K::FORMAT }
+            }
+            word => Problem::Unexpected { found: printable_start(word), expected },
         };
-        Error::here(source, Problem(problem).into())
+        Error::here(source, problem.into())
     }
 
     /// `word`, the next of `source`, is not a usable number.
     pub(crate) fn bad_number(source: &mut Source, word: &[u8], problem: BadNumber) -> Self {
         let found = printable_start(word);
         let problem = match problem {
-            _ if word.is_empty() => Common::Ended { expected: "a number" },
-            _ if is_conflict_mark(word) => Common::MergeConflict { found },
-            problem => Common::Number(NumberError::new(found, problem)),
+            _ if word.is_empty() => Problem::Ended { expected: "a number" },
+            _ if is_conflict_mark(word) => Problem::MergeConflict { found, format: K::FORMAT },
+            problem => Problem::Number(NumberError::new(found, problem)),
         };
-        Error::here(source, Problem(problem).into())
+        Error::here(source, problem.into())
     }
 }
 

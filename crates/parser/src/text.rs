@@ -5,7 +5,7 @@ use std::io::{Chain, Read};
 use std::path::{Path, PathBuf};
 
 use crate::encoding::{self, Encoding, FromUtf16};
-use crate::error::{Common, Error, FileError, Kind, Problem};
+use crate::error::{Error, FileError, Kind, Problem};
 use crate::source::{Source, Syntax};
 use crate::warning::Warning;
 
@@ -51,7 +51,7 @@ pub(crate) fn finish<K: Kind, W>(
         warnings.push(Warning { line, column: 1, kind: lone_return });
     }
     if let Some(cause) = source.take_failure() {
-        return Err(Error::here(source, Problem(Common::Io(cause)).into()));
+        return Err(Error::here(source, Problem::Io(cause).into()));
     }
     warnings.sort_by_key(|warning| (warning.line, warning.column));
     Ok(warnings)

@@ -1,6 +1,6 @@
 //! Words that must come next.
 
-use crate::error::{Common, Error, Kind, Problem};
+use crate::error::{Error, Kind, Problem};
 use crate::number;
 use crate::snippet::printable_start;
 use crate::source::{Place, Source};
@@ -37,7 +37,7 @@ pub(crate) fn count<K: Kind>(source: &mut Source, expected: &'static str) -> Res
     // Digits alone are a count, unless they are too many.
     let Ok(count) = digits.parse() else {
         let found = printable_start(word);
-        return Err(Error::here(source, Problem(Common::LargeCount { found, expected }).into()));
+        return Err(Error::here(source, Problem::LargeCount { found, expected }.into()));
     };
     let place = source.place();
     source.take(length);

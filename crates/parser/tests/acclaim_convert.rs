@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::acclaim::{AMC, asf, motion, motion_and_warnings, skeleton, skeleton_and_warnings};
+use common::acclaim::{AMC, asf, figure, motion, motion_and_warnings, skeleton, skeleton_and_warnings};
 use common::bones::{any_angles, any_moving_skeleton, any_rotations, any_skeleton, ends, measure};
 use glam::Vec3;
 use parser::acclaim::{to_bones, to_joints};
@@ -305,11 +305,27 @@ fn a_long_motion_has_no_leaps() {
     let bones = acclaim::Motion::new(columns, frames, values.collect()).expect("a motion");
     let joints = to_joints(&bones, 0.1).expect("joints");
     assert_eq!(joints.skeleton().joints()[2].rotation_order, RotationOrder::Zyx);
-    let rows: Vec<&[f32]> = (0..frames).filter_map(|frame| joints.row(frame)).collect();
-    let leaps = rows.windows(2).flat_map(|rows| rows[0].iter().zip(rows[1]).map(|(a, b)| (a - b).abs()));
-    let widest = leaps.fold(0.0, f32::max);
+    let widest = widest_leap(&joints);
     assert!(widest < 5.0, "{widest}");
     assert!(worst(&bones, &joints) < 1e-5);
+}
+
+#[test]
+fn a_wheel_goes_on_turning() {
+    let columns = Columns::new(figure()).without(&[acclaim::BoneId::ROOT, acclaim::BoneId(2)]);
+    let values = (0..720).map(|frame| 40.0 * frame as f32).collect();
+    let bones = acclaim::Motion::new(columns, 720, values).expect("a motion");
+    let joints = to_joints(&bones, 0.1).expect("joints");
+    let widest = widest_leap(&joints);
+    assert!((40.0..45.0).contains(&widest), "{widest}");
+    assert!(worst(&bones, &joints) < 1e-4);
+}
+
+/// By how much a number changes at most from a frame to the next.
+fn widest_leap(joints: &Motion) -> f32 {
+    let rows: Vec<&[f32]> = (0..joints.frame_count()).filter_map(|frame| joints.row(frame)).collect();
+    let leaps = rows.windows(2).flat_map(|rows| rows[0].iter().zip(rows[1]).map(|(a, b)| (a - b).abs()));
+    leaps.fold(0.0, f32::max)
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod common;
 
 use common::acclaim::{AMC, ASF, amc, asf, figure};
+use parser::Problem;
 use parser::acclaim::{self, ErrorKind};
 use skeleton::acclaim::Skeleton;
 
@@ -74,12 +75,12 @@ fn a_failing_disk_is_not_mistaken_for_a_bad_text() {
 
     for length in 0..=ASF.len() {
         let error = acclaim::read_skeleton(Failing(&ASF.as_bytes()[..length])).expect_err("the disk is gone");
-        assert!(matches!(error.kind(), ErrorKind::Io(_)), "after {length} bytes: {error}");
+        assert!(matches!(error.kind(), ErrorKind::Common(Problem::Io(_))), "after {length} bytes: {error}");
     }
     let figure = figure();
     for length in 0..=AMC.len() {
         let error = acclaim::read_motion(Failing(&AMC.as_bytes()[..length]), &figure).expect_err("gone, too");
-        assert!(matches!(error.kind(), ErrorKind::Io(_)), "after {length} bytes: {error}");
+        assert!(matches!(error.kind(), ErrorKind::Common(Problem::Io(_))), "after {length} bytes: {error}");
     }
 }
 

@@ -3,6 +3,7 @@
 mod common;
 
 use common::{GOOD, with};
+use parser::Problem;
 use parser::bvh::{self, ErrorKind, FileError};
 
 /// Under the title of each case its message, blank lines between.
@@ -92,7 +93,7 @@ fn a_failing_disk_is_not_mistaken_for_a_bad_text() {
 
     for length in 0..=GOOD.len() {
         let error = bvh::read(Failing(&GOOD.as_bytes()[..length])).expect_err("the disk is gone");
-        assert!(matches!(error.kind(), ErrorKind::Io(_)), "after {length} bytes: {error}");
+        assert!(matches!(error.kind(), ErrorKind::Common(Problem::Io(_))), "after {length} bytes: {error}");
     }
 }
 

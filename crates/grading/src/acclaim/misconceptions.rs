@@ -9,22 +9,13 @@ use glam::{Quat, Vec3};
 use skeleton::acclaim::{AcclaimFunctions, Bone, Skeleton, Visitor};
 
 use super::variants::rotation;
-use crate::fk::variants::{FourDecimals, Fraction, ThreeDecimals, ThreeRounded, TwoDecimals};
+use crate::fk::misconceptions::short_pis;
 use crate::{Accepted, Misconception};
 
 /// Ways to answer a part that get full points, with a remark.
 pub fn accepted(part: &str) -> Vec<Accepted> {
-    let remark = "Your π has only a few digits. This is accepted, but over several bones the error becomes visible. \
-                  `f32::to_radians` is as exact as the type allows.";
-    let short_pis: [Rotation; 5] = [
-        rotation::by_pi::<TwoDecimals>,
-        rotation::by_pi::<ThreeDecimals>,
-        rotation::by_pi::<ThreeRounded>,
-        rotation::by_pi::<FourDecimals>,
-        rotation::by_pi::<Fraction>,
-    ];
     match part {
-        "part1" => short_pis.map(|function| Accepted { remark, functions: wrong_in_part1(function) }).into(),
+        "part1" => short_pis!("Your π", "bones", P => wrong_in_part1(rotation::by_pi::<P>)),
         _ => Vec::new(),
     }
 }

@@ -8,22 +8,37 @@ use exam::Functions;
 use glam::{Quat, Vec3};
 use skeleton::{FkFunctions, FrameCursor, Joint, Pose};
 
-use super::variants::{FourDecimals, Fraction, ThreeDecimals, ThreeRounded, TwoDecimals, local};
+use super::variants::local;
 use crate::{Accepted, Misconception};
+
+/// Ways to answer a part that are right but for a π of few digits: they get full points, with a remark. `$pi` names the π in
+/// the functions, `$whose` in the remark, and over several `$things` the error grows.
+macro_rules! short_pis {
+    ($whose:literal, $things:literal, $pi:ident => $functions:expr) => {
+        $crate::fk::misconceptions::short_pis!(
+            $whose, $things, $pi => $functions;
+            TwoDecimals, ThreeDecimals, ThreeRounded, FourDecimals, Fraction
+        )
+    };
+    ($whose:literal, $things:literal, $pi:ident => $functions:expr; $($digits:ident),*) => {
+        vec![$({
+            type $pi = $crate::fk::variants::$digits;
+            $crate::Accepted {
+                remark: concat!(
+                    $whose, " has only a few digits. This is accepted, but over several ", $things,
+                    " the error becomes visible. `f32::to_radians` is as exact as the type allows."
+                ),
+                functions: $functions,
+            }
+        }),*]
+    };
+}
+pub(crate) use short_pis;
 
 /// Ways to answer a part that get full points, with a remark.
 pub fn accepted(part: &str) -> Vec<Accepted> {
-    let remark = "Your π has only a few digits. This is accepted, but over several joints the error becomes visible. \
-                  `f32::to_radians` is as exact as the type allows.";
-    let short_pis: [Local; 5] = [
-        local::right::<TwoDecimals>,
-        local::right::<ThreeDecimals>,
-        local::right::<ThreeRounded>,
-        local::right::<FourDecimals>,
-        local::right::<Fraction>,
-    ];
     match part {
-        "part1" => short_pis.map(|function| Accepted { remark, functions: wrong_in_part1(function) }).into(),
+        "part1" => short_pis!("Your π", "joints", P => wrong_in_part1(local::right::<P>)),
         _ => Vec::new(),
     }
 }

@@ -1,7 +1,7 @@
 //! Grading the forward-kinematics exercise.
 
 mod compare;
-mod misconceptions;
+pub(crate) mod misconceptions;
 mod paper;
 mod rubric;
 pub(crate) mod variants;

@@ -5,22 +5,13 @@ mod part2;
 mod part3;
 
 use super::variants::{frame::ShortPi, functions};
-use crate::fk::variants::{FourDecimals, Fraction, ThreeDecimals, ThreeRounded, TwoDecimals};
+use crate::fk::misconceptions::short_pis;
 use crate::{Accepted, Misconception};
 
 /// Ways to answer a part that get full points, with a remark.
 pub fn accepted(part: &str) -> Vec<Accepted> {
-    let remark = "The π in your rotations has only a few digits. This is accepted, but over several joints the error \
-                  becomes visible. `f32::to_radians` is as exact as the type allows.";
-    let short_pis = [
-        functions::<ShortPi<TwoDecimals>>(),
-        functions::<ShortPi<ThreeDecimals>>(),
-        functions::<ShortPi<ThreeRounded>>(),
-        functions::<ShortPi<FourDecimals>>(),
-        functions::<ShortPi<Fraction>>(),
-    ];
     match part {
-        "part3" => short_pis.map(|functions| Accepted { remark, functions }).into(),
+        "part3" => short_pis!("The π in your rotations", "joints", P => functions::<ShortPi<P>>()),
         _ => Vec::new(),
     }
 }

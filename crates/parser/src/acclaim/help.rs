@@ -1,33 +1,16 @@
 //! What to do about what is wrong.
 
 use super::ErrorKind;
-use crate::error::{Common, Kind, Problem};
-
-impl From<Problem> for ErrorKind {
-    fn from(Problem(problem): Problem) -> Self {
-        match problem {
-            Common::Io(cause) => ErrorKind::Io(cause),
-            Common::Ended { expected } => ErrorKind::Ended { expected },
-            Common::Unexpected { found, expected } => ErrorKind::Unexpected { found, expected },
-            Common::MergeConflict { found } => ErrorKind::MergeConflict { found },
-            Common::LargeCount { found, expected } => ErrorKind::LargeCount { found, expected },
-            Common::Number(problem) => ErrorKind::Number(problem),
-        }
-    }
-}
+use crate::error::{Kind, Problem};
 
 impl Kind for ErrorKind {
+    const FORMAT: &'static str = "Acclaim";
+
     fn help(&self) -> &'static str {
         match self {
-            ErrorKind::Io(_) => "Check that the file is a file, and that you may read it.",
+            ErrorKind::Common(Problem::LargeCount { .. }) => "Number the frames one by one, from 1.",
+            ErrorKind::Common(problem) => problem.help(),
             ErrorKind::Empty { .. } | ErrorKind::NotAcclaim { .. } => "Check that this is the file you mean.",
-            ErrorKind::MergeConflict { .. } => {
-                "Keep one of the two versions, and delete the lines that begin with <<<<<<<, ======= and >>>>>>>."
-            }
-            ErrorKind::Unexpected { .. } => {
-                "Look for a word that is missing, misspelt or too many, here or just above."
-            }
-            ErrorKind::Ended { .. } => "The file seems to be cut off: get it again from where it came from.",
             ErrorKind::RepeatedSection { .. } | ErrorKind::RepeatedPart { .. } => {
                 "Keep the one that is right, and delete the other."
             }
@@ -81,8 +64,6 @@ impl Kind for ErrorKind {
             ErrorKind::NewBone { .. } => {
                 "Every frame has the same bones: add a line to the first frame, or delete this one."
             }
-            ErrorKind::LargeCount { .. } => "Number the frames one by one, from 1.",
-            ErrorKind::Number(problem) => problem.help(),
             ErrorKind::Skeleton(_) => "Call it otherwise, here and wherever it is meant.",
             ErrorKind::Motion(_) => "Look at the lines just above.",
         }

@@ -1,20 +1,18 @@
 //! What can be wrong.
 
-use std::io;
-
 use skeleton::MotionError;
 use skeleton::acclaim::SkeletonError;
 
-use crate::error::NumberError;
+use crate::error::Problem;
 use crate::shown::counted;
 
 /// What is wrong: what was found and what was expected.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ErrorKind {
-    /// The system could not read on.
-    #[error("cannot be read: {0}")]
-    Io(#[source] io::Error),
+    /// What can be wrong with a text of any format.
+    #[error(transparent)]
+    Common(#[from] Problem),
     /// There is no text at all.
     #[error("the file is empty; {} begins with {}", which.name(), which.beginning())]
     Empty {
@@ -30,26 +28,6 @@ pub enum ErrorKind {
         found: String,
         /// What it may be, as ` (…)`, or nothing.
         guess: &'static str,
-    },
-    /// Version control has left its marks.
-    #[error("found `{found}`, expected Acclaim: this marks a merge conflict that has not been resolved")]
-    MergeConflict {
-        /// The mark.
-        found: String,
-    },
-    /// Another word was expected.
-    #[error("found `{found}`, expected {expected}")]
-    Unexpected {
-        /// The word that is there.
-        found: String,
-        /// What could stand there.
-        expected: &'static str,
-    },
-    /// The text ends too soon.
-    #[error("the file ends here, expected {expected}")]
-    Ended {
-        /// What could stand there.
-        expected: &'static str,
     },
     /// A section comes a second time.
     #[error("found `{section}` a second time, expected another section: the first is in line {line}")]
@@ -240,17 +218,6 @@ pub enum ErrorKind {
         /// The frame's number in the file.
         frame: u64,
     },
-    /// A count is larger than any that can be held.
-    #[error("found `{found}`, which is too large, expected {expected}")]
-    LargeCount {
-        /// The word.
-        found: String,
-        /// What is counted.
-        expected: &'static str,
-    },
-    /// A number is none that can be used.
-    #[error(transparent)]
-    Number(NumberError),
     /// The skeleton does not take a bone.
     #[error("{0}")]
     Skeleton(#[source] SkeletonError),

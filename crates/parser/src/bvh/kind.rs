@@ -1,19 +1,17 @@
 //! What can be wrong, and what to do about it.
 
-use std::io;
-
 use skeleton::{Channel, MotionError, SkeletonError};
 
-use crate::error::{Common, Kind, NumberError, Problem};
+use crate::error::{Kind, Problem};
 use crate::shown::counted;
 
 /// What is wrong: what was found and what was expected.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ErrorKind {
-    /// The system could not read on.
-    #[error("cannot be read: {0}")]
-    Io(#[source] io::Error),
+    /// What can be wrong with a text of any format.
+    #[error(transparent)]
+    Common(#[from] Problem),
     /// There is no text at all.
     #[error("the file is empty; a BVH file begins with HIERARCHY")]
     Empty,
@@ -30,26 +28,6 @@ pub enum ErrorKind {
     NoHierarchy {
         /// The first word.
         found: String,
-    },
-    /// Version control has left its marks.
-    #[error("found `{found}`, expected BVH: this marks a merge conflict that has not been resolved")]
-    MergeConflict {
-        /// The mark.
-        found: String,
-    },
-    /// Another word was expected.
-    #[error("found `{found}`, expected {expected}")]
-    Unexpected {
-        /// The word that is there.
-        found: String,
-        /// What could stand there.
-        expected: &'static str,
-    },
-    /// The text ends too soon.
-    #[error("the file ends here, expected {expected}")]
-    Ended {
-        /// What could stand there.
-        expected: &'static str,
     },
     /// A joint has no name.
     #[error("found no name behind {keyword}, expected one on the same line")]
@@ -96,17 +74,6 @@ pub enum ErrorKind {
     /// There is one closing brace too many.
     #[error("found `}}`, expected ROOT or MOTION: every joint has been closed before")]
     NothingToClose,
-    /// A count is larger than any that can be held.
-    #[error("found `{found}`, which is too large, expected {expected}")]
-    LargeCount {
-        /// The word.
-        found: String,
-        /// What is counted.
-        expected: &'static str,
-    },
-    /// A number is none that can be used.
-    #[error(transparent)]
-    Number(NumberError),
     /// The skeleton does not take a joint.
     #[error("{0}")]
     Skeleton(#[source] SkeletonError),
@@ -145,34 +112,16 @@ pub enum ErrorKind {
     },
 }
 
-impl From<Problem> for ErrorKind {
-    fn from(Problem(problem): Problem) -> Self {
-        match problem {
-            Common::Io(cause) => ErrorKind::Io(cause),
-            Common::Ended { expected } => ErrorKind::Ended { expected },
-            Common::Unexpected { found, expected } => ErrorKind::Unexpected { found, expected },
-            Common::MergeConflict { found } => ErrorKind::MergeConflict { found },
-            Common::LargeCount { found, expected } => ErrorKind::LargeCount { found, expected },
-            Common::Number(problem) => ErrorKind::Number(problem),
-        }
-    }
-}
-
 impl Kind for ErrorKind {
+    const FORMAT: &'static str = "BVH";
+
     fn help(&self) -> &'static str {
         match self {
-            ErrorKind::Io(_) => "Check that the file is a file, and that you may read it.",
+            ErrorKind::Common(problem) => problem.help(),
             ErrorKind::Empty | ErrorKind::NotBvh { .. } => "Check that this is the file you mean.",
             ErrorKind::NoHierarchy { .. } => {
                 "Write HIERARCHY above the joints; or get the file again if its beginning is cut off."
             }
-            ErrorKind::MergeConflict { .. } => {
-                "Keep one of the two versions, and delete the lines that begin with <<<<<<<, ======= and >>>>>>>."
-            }
-            ErrorKind::Unexpected { .. } => {
-                "Look for a word that is missing, misspelt or too many, here or just above."
-            }
-            ErrorKind::Ended { .. } => "The file seems to be cut off: get it again from where it came from.",
             ErrorKind::NoName { .. } => "Write a name behind the word.",
             ErrorKind::LongName { .. } => "Shorten the name; or look for a line break that is missing.",
             ErrorKind::UnknownChannel { .. } => {
@@ -184,8 +133,6 @@ impl Kind for ErrorKind {
             ErrorKind::ChannelCount { .. } => "Make the number and the words behind it agree.",
             ErrorKind::NotClosed { .. } => "Every `{` needs its `}`: write it where the joint ends.",
             ErrorKind::NothingToClose => "Delete it, or look for a `{` that is missing above.",
-            ErrorKind::LargeCount { .. } => "No file can hold so many: write how many there are.",
-            ErrorKind::Number(problem) => problem.help(),
             ErrorKind::Skeleton(_) | ErrorKind::Motion(_) => "Look at the lines just above.",
             ErrorKind::RowWidth { .. } => {
                 "Every frame has one number for each channel. Do the CHANNELS above belong to these frames?"

@@ -67,8 +67,7 @@ mod tests {
 
     #[test]
     fn every_exercise_that_can_be_shown_is_a_package_of_its_name() {
-        let names = ["fk", "interpolation", "keyframes", "acclaim", "time-warp"];
-        assert_eq!(Package::value_variants().iter().map(|package| package.name()).collect::<Vec<_>>(), names);
+        assert_eq!(Package::value_variants().len(), EXERCISES.len());
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         for package in Package::value_variants() {
             assert!(package.mover().is_none_or(|mover| mover.package() == *package));

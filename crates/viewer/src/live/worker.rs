@@ -229,6 +229,7 @@ mod tests {
     use std::fs;
     use std::time::Duration;
 
+    use clap::ValueEnum;
     use exam::{Question, Subject};
     use skeleton::Skeleton;
 
@@ -267,7 +268,7 @@ mod tests {
 
     #[test]
     fn every_exercise_is_built_by_its_name_and_told_with_its_file() {
-        for exercise in [Package::Interpolation, Package::Keyframes, Package::Acclaim, Package::TimeWarp] {
+        for &exercise in Package::value_variants() {
             let students = "pub fn wrong() -> u8 { 'c' }\n";
             let module = exercise.file().replace(".rs", "");
             let folder = package_of(exercise, &format!("mod {module};\nfn main() {{}}\n"));

@@ -1,6 +1,5 @@
 //! Motions set up for being looked at.
 
-pub mod angles;
 pub mod body;
 pub mod bones;
 mod sides;

@@ -1,6 +1,5 @@
 //! From bones to joints and back: the same figure, moving the same way, in the other format's words.
 
-mod euler;
 mod names;
 mod to_bones;
 mod to_joints;

@@ -5,15 +5,16 @@ use skeleton::acclaim::{self, Bone, BoneId, Motion, Posture};
 use skeleton::{Axis, Channel, JointId, RotationOrder, Skeleton};
 
 use super::ConvertError;
-use super::euler::{rotation, zyx_near};
 use super::names::Names;
+use crate::angles::{angles_of, rotation_of};
 
 /// The same motion of joints, as BVH has it, with `frame_time` seconds from one frame to the next (a motion of bones says
 /// nothing about time; 1/120 is usual).
 ///
 /// Every bone becomes a joint at its start, and a bone on which nothing hangs gets an End Site. At rest the joints' axes
 /// are the world's: where a bone's own axes are turned against them, its angles become others, in the order Z, Y, X,
-/// without leaps from frame to frame. A bone without dofs becomes a joint without channels. Lengths stay as they are.
+/// without leaps from frame to frame (until one is more than 100 000°, and loses its whole turns). A bone without dofs
+/// becomes a joint without channels. Lengths stay as they are.
 ///
 /// The end of a bone that has translations among its dofs is not always in the same place. What hangs there has position
 /// channels, which say where it is instead of the offset; where nothing hangs, a joint without rotations stands for the end.
@@ -26,7 +27,7 @@ pub fn to_joints(motion: &Motion, frame_time: f64) -> Result<skeleton::Motion, C
     let skeleton = joints(motion, &bones)?;
     let mut values = Vec::with_capacity(skeleton.channel_count().saturating_mul(motion.frame_count()));
     let mut posture = Posture::default();
-    let mut last = vec![[0.0; 3]; bones.len()];
+    let mut last = vec![[0.0_f64; 3]; bones.len()];
     // How each bone is turned against its rest pose, and where it ends, as seen from where it starts.
     let (mut turned, mut ends) = (vec![Quat::IDENTITY; bones.len()], vec![Vec3::ZERO; bones.len()]);
     for frame in 0..motion.frame_count() {
@@ -44,11 +45,11 @@ pub fn to_joints(motion: &Motion, frame_time: f64) -> Result<skeleton::Motion, C
             let last = &mut last[id];
             if let Some(axes) = order(bone).axes() {
                 *last = if is_turned(bone) {
-                    zyx_near(turn, *last)
+                    angles_of(turn, &axes, *last)
                 } else {
-                    axes.map(|axis| angles[axis.index()])
+                    axes.map(|axis| angles[axis.index()].into())
                 };
-                values.extend(*last);
+                values.extend(last.map(|angle| angle as f32));
             }
             turned[id] = above.map_or(Quat::IDENTITY, |parent| turned[parent.id.0]) * turn;
             if is_moved(bone) {
@@ -128,6 +129,8 @@ fn order(bone: &Bone) -> RotationOrder {
 
 /// A rotation by `angles` about the bone's own axes, as one about the world's.
 fn in_world_axes(bone: &Bone, angles: [f32; 3]) -> Quat {
+    let axes = bone.rotation_order.axes();
+    let own = axes.map_or(Quat::IDENTITY, |axes| rotation_of(&axes, axes.map(|axis| angles[axis.index()])));
     let c = bone.axis_rotation;
-    (c * rotation(bone.rotation_order, angles) * c.inverse()).normalize()
+    (c * own * c.inverse()).normalize()
 }

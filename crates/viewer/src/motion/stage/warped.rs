@@ -1,11 +1,11 @@
 //! The frames of a warped motion. Each is made when it is asked for, so that any number of them takes no memory.
 
 use glam::Quat;
+use parser::angles::angles_of;
 use skeleton::acclaim::Between;
 use skeleton::{Axis, Frame, FrameCursor};
 
 use super::Stage;
-use crate::motion::angles::angles_of;
 use crate::motion::time_map::TimeMap;
 
 impl Stage {

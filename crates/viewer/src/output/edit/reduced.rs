@@ -4,11 +4,11 @@
 //! interpolated: the same skeleton, channels and frame time, and the keyframes' own numbers.
 
 use inbetween::InbetweenClip;
+use parser::angles::{angles_of, distance};
 use skeleton::{Axis, Channel, Joint, JointId, Motion, Representation};
 use solutions::interpolation::interpolate_angles;
 
 use super::reordered::turns;
-use crate::motion::angles::{angles_of, distance};
 
 /// A rotation that is off by less than so many degrees is what an `f32` makes of the right one.
 pub(crate) const LEAST_MISFIT: f64 = 0.01;

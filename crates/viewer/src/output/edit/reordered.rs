@@ -1,9 +1,8 @@
 //! The same motion with its angles in another order.
 
 use inbetween::InbetweenClip;
+use parser::angles::angles_of;
 use skeleton::{Axis, Channel, Frame, Joint, Motion, Representation, RotationOrder, Skeleton, SkeletonError};
-
-use crate::motion::angles::angles_of;
 
 /// The same motion, where every joint with three rotation channels has them in another order: in every frame every joint is
 /// turned as before, by other angles. The first frame's angles are within half a turn, and all others go on from there.

@@ -1,10 +1,10 @@
 //! The rows of a warped motion, of joints or of bones.
 
 use glam::Quat;
+use parser::angles::{angles_of, distance, rotation_of};
 use skeleton::Axis;
 use skeleton::acclaim::Between;
 
-use crate::motion::angles::{angles_of, distance};
 use crate::motion::time_map::TimeMap;
 use crate::output::edit::LEAST_MISFIT;
 
@@ -87,14 +87,13 @@ impl<'a> Rows<'a> {
                 continue;
             };
             let rotation = (solutions::INTERPOLATION.slerp)(from, to, t);
-            let (mut near, mut turns) = ([0.0; 3], [0.0; 3]);
-            for ((near, turns), column) in near.iter_mut().zip(&mut turns).zip(&turn.columns) {
-                *turns = whole_turns(first[*column]);
-                *near = f64::from(self.row[*column]) - *turns;
+            let mut near = [0.0; 3];
+            for (near, column) in near.iter_mut().zip(&turn.columns) {
+                *near = self.row[*column].into();
             }
             let angles = angles_of(rotation, &turn.axes, near);
-            for ((angle, turns), column) in angles.into_iter().zip(turns).zip(&turn.columns) {
-                self.row[*column] = (angle + turns) as f32;
+            for (angle, column) in angles.into_iter().zip(&turn.columns) {
+                self.row[*column] = angle as f32;
             }
             // Three angles make any rotation.
             if turn.axes.len() < 3 {
@@ -118,16 +117,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// The whole turns in an angle of the old motion, in degrees: where it has turned many times, so has what goes on from it. None
-/// in an angle so large that an `f32` does not hold hundredths of a degree beside them.
-fn whole_turns(angle: f32) -> f64 {
-    const LARGEST: f64 = 1e5;
-    let angle = f64::from(angle);
-    if angle.abs() <= LARGEST { 360.0 * (angle / 360.0).round() } else { 0.0 }
-}
-
 /// The rotation that the angles of a row make.
 fn rotation(turn: &Turn, row: &[f32]) -> Quat {
-    let turns = turn.axes.iter().zip(&turn.columns);
-    turns.map(|(axis, column)| Quat::from_axis_angle(axis.unit(), row[*column].to_radians())).product()
+    rotation_of(&turn.axes, turn.columns.iter().map(|column| row[*column]))
 }

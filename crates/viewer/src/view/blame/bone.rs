@@ -6,6 +6,7 @@ mod tests;
 use exam::acclaim::Given;
 use glam::{Quat, Vec3};
 use grading::fk::POSITION_TOLERANCE;
+use parser::angles::rotation_of;
 use skeleton::acclaim::{Bone, BoneId, BonePlace, Posture, Skeleton};
 
 use super::same;
@@ -107,9 +108,8 @@ const WAYS: [Way; 3] = [USUAL, OTHER_ORDER, FROM_REST];
 
 /// The three rotations about the bone's axes, in the order of its file.
 fn in_order(bone: &Bone, angles: [f32; 3]) -> Quat {
-    let axes = bone.rotation_order.axes().into_iter().flatten();
-    let turn = |axis: skeleton::Axis| Quat::from_axis_angle(axis.unit(), angles[axis.index()].to_radians());
-    axes.map(turn).fold(Quat::IDENTITY, |product, turn| product * turn)
+    let Some(axes) = bone.rotation_order.axes() else { return Quat::IDENTITY };
+    rotation_of(&axes, axes.map(|axis| angles[axis.index()]))
 }
 
 /// Who is to blame for where `bone` is and how it is turned.

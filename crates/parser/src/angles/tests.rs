@@ -1,3 +1,4 @@
+use glam::EulerRot;
 use proptest::prelude::*;
 use skeleton::RotationOrder;
 
@@ -131,6 +132,19 @@ fn of_angles_that_come_equally_close_those_nearby_are_taken() {
         assert!(close, "{found:?} near {near:?}");
     }
     assert_eq!(angles_of(quarter * quarter, &[Axis::X], [77.0, 0.0, 0.0])[0].round(), 77.0);
+}
+
+#[test]
+fn turns_are_multiplied_in_the_order_of_their_axes() {
+    let other_way =
+        [EulerRot::ZYX, EulerRot::YZX, EulerRot::ZXY, EulerRot::XZY, EulerRot::YXZ, EulerRot::XYZ];
+    for (order, other_way) in RotationOrder::ROTATING.into_iter().zip(other_way) {
+        let [a, b, c] = [20.0_f32, 50.0, -70.0];
+        let expected = Quat::from_euler(other_way, a.to_radians(), b.to_radians(), c.to_radians());
+        let axes = order.axes().unwrap();
+        assert!(between(rotation_of(&axes, [a, b, c]), expected) < 1e-4, "{order}");
+    }
+    assert_eq!(rotation_of(&[], []), Quat::IDENTITY);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! From a rotation back to the angles that a file's channels hold.
+//! From the angles that a file's channels hold to a rotation, and back.
 //!
 //! Many sets of angles make the same rotation: every angle can have whole turns more or less, three angles have a second
 //! way to the same end, and in a gimbal lock, with the first and the third axis in one line, only the sum or the
@@ -10,17 +10,24 @@ use std::f64::consts::{PI, TAU};
 use glam::Quat;
 use skeleton::Axis;
 
-/// With larger angles than this, in degrees, an `f32` is too coarse: whole turns are taken off.
-const LARGEST: f64 = 3600.0;
+/// Beside larger angles than this, in degrees, an `f32` does not hold hundredths of a degree: whole turns are taken off.
+const LARGEST: f64 = 1e5;
 
 /// The share of a unit quaternion below which it says nothing: the rounding errors of an `f32`, and a little more.
 const NOISE: f64 = 1e-6;
 
+/// The rotation that `angles` (in degrees) about `axes` make: one turn after the other, each about axes that the turns before
+/// it have moved.
+pub fn rotation_of(axes: &[Axis], angles: impl IntoIterator<Item = f32>) -> Quat {
+    let turn = |(axis, angle): (&Axis, f32)| Quat::from_axis_angle(axis.unit(), angle.to_radians());
+    axes.iter().zip(angles).map(turn).product()
+}
+
 /// The angles in degrees, one for each of the rotation channels `axes` (at most three, each axis once), that make
-/// `rotation`: one turn after the other, each about axes that the turns before it have moved.
+/// `rotation`, as [`rotation_of`] does.
 ///
 /// With three channels there are always such angles. With fewer there may be none: then those that come closest.
-/// `near` are the angles to stay close to, in degrees. What has no channel is 0.
+/// `near` are the angles to stay close to, in degrees; those of more than 100 000° lose whole turns. What has no channel is 0.
 pub fn angles_of(rotation: Quat, axes: &[Axis], near: [f64; 3]) -> [f64; 3] {
     let q = Parts::of(rotation);
     let near = near.map(f64::to_radians);
@@ -54,7 +61,7 @@ struct Parts {
 impl Parts {
     fn of(rotation: Quat) -> Parts {
         let [x, y, z, w] = rotation.to_array().map(f64::from);
-        let length = f64::hypot(f64::hypot(x, y), f64::hypot(z, w));
+        let length = (x * x + y * y + z * z + w * w).sqrt();
         Parts { w: w / length, xyz: [x, y, z].map(|part| part / length) }
     }
 
@@ -140,7 +147,7 @@ fn sign(first: Axis, second: Axis) -> f64 {
 
 /// The angle of the direction with this sine and cosine, of any length, and its length.
 fn direction(sine: f64, cosine: f64) -> (f64, f64) {
-    (sine.atan2(cosine), sine.hypot(cosine))
+    (sine.atan2(cosine), (sine * sine + cosine * cosine).sqrt())
 }
 
 /// The same angle with as many whole turns as bring it closest to `near`. Both in radians.
