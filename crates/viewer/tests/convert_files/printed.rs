@@ -118,6 +118,6 @@ fn no_name_of_a_bone_can_command_the_terminal() {
     fs::write(&odd, bad(&odd_motion(2))).unwrap();
     let printed = run(&[&odd, "--print"]).unwrap().0;
     let warped = run(&[&odd, "--out", &folder.text("new.amc"), "--warp", "9"]).unwrap().0;
-    assert!(warped.contains("the two of t"), "{warped}");
+    assert!(warped.contains("the two angles of t"), "{warped}");
     assert!(![printed, warped].concat().contains(['\u{1b}', '\u{202e}']));
 }

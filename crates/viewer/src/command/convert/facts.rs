@@ -51,7 +51,7 @@ pub fn warn(title: &str, motion: &Motion, misfits: &[Misfit]) {
     for Misfit { joint, channels, degrees, frame } in misfits.iter().take(MOST_LISTED) {
         eprintln!(
             "{title}: {} has {}, which cannot hold every rotation: the closest were written, off by up to {} degrees \
-             (frame {frame})",
+             (frame {frame}, counted from 0)",
             printable(&motion.skeleton().label(*joint)),
             count(*channels, "rotation channel", "rotation channels"),
             number(*degrees, 2),

@@ -59,7 +59,8 @@ pub fn write_bones(
         said += &fact(
             "angles",
             &format!(
-                "three for every bone that moves: the two of {} would be off by {} degrees in frame {}",
+                "three for every bone that moves: the two angles of {} would be off by {} degrees in frame {} \
+                 (counted from 0)",
                 printable(bone),
                 number(freed.degrees, 3),
                 freed.frame
