@@ -49,7 +49,8 @@ fn from_bvh_to_acclaim_and_back_nothing_moves() {
             complaints.is_empty()
                 && said.contains(&format!("skeleton           {}", folder.text("as bones.asf")))
         );
-        let rate = said.split("--rate ").nth(1).unwrap().split(' ').next().unwrap();
+        // What gives the frame time back is told last.
+        let rate = said.rsplit("--rate ").next().unwrap().split(' ').next().unwrap();
         assert_same(
             &read_bones(&amc),
             &read({
@@ -59,7 +60,7 @@ fn from_bvh_to_acclaim_and_back_nothing_moves() {
         );
         let again = read(&back);
         assert_eq!(again.frame_count(), original.frame_count());
-        assert!((again.frame_time() / original.frame_time() - 1.0).abs() < 1e-4, "{rate}");
+        assert_eq!(again.frame_time(), original.frame_time(), "{rate}");
         assert_every_joint_is_there(&original, &again);
     }
 }
