@@ -9,6 +9,7 @@ use skeleton::acclaim::Skeleton;
 
 use crate::command::print::{count, number, shortened};
 use crate::command::targets::shown;
+use crate::motion::source::{Source, USUAL_RATE};
 use crate::output::edit::Misfit;
 
 /// So many joints that something is said about are listed.
@@ -33,6 +34,16 @@ pub fn beside(skeleton: &Path, seconds: f64) -> String {
         said += &format!(" (--rate {exact} gives the frame time {seconds} back)");
     }
     fact("skeleton", &shown(skeleton)) + &fact("frames per second", &said)
+}
+
+/// How fast a motion of joints is that was made of bones, which do not say it.
+pub fn chosen_rate(source: &Source) -> String {
+    let (rate, title) = (source.rate, source.title());
+    let why = match rate == USUAL_RATE {
+        true => format!("as in most recordings; {title} does not say it: --rate where it is another"),
+        false => "as --rate says".into(),
+    };
+    fact("frames per second", &format!("{rate}, {why}"))
 }
 
 /// Frames per second with five digits: enough to tell 23.976 from 24, and none that come of a rounded frame time.
