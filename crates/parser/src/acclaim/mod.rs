@@ -67,7 +67,7 @@ use skeleton::acclaim::{Motion, Skeleton};
 use crate::source::Syntax;
 use crate::text;
 
-pub use convert::{ConvertError, depth_first, to_bones, to_joints};
+pub use convert::{ConvertError, depth_first, to_bones, to_bones_by_joint, to_joints};
 pub use kind::{ErrorKind, Which};
 pub use warning::WarningKind;
 pub use write::{MotionWriter, WriteError, write_motion, write_skeleton};

@@ -86,7 +86,7 @@ pub struct Studio {
 }
 
 impl Studio {
-    /// Makes pictures of a run, one of a dance, and some of a walk of bones.
+    /// Makes pictures of a run, of a dance, and of a walk of bones.
     pub fn new(running: Motion, dance: Motion, walk: Arc<Stage>) -> Studio {
         let [stage, dance] =
             [running, dance].map(|motion| Arc::new(Stage::new(motion, PositionChannels::Replace)));

@@ -28,7 +28,7 @@ fn from_acclaim_to_bvh_every_joint_is_where_its_bone_starts() {
     let folder = Folder::new();
     let out = folder.text("walk as joints.bvh");
     let (said, complaints) = run(&[&data("walk.asf"), &data("walk.amc"), "--out", &out]).unwrap();
-    assert_eq!((said, complaints), (format!("{out}: 480 frames, 31 joints\n"), String::new()));
+    assert!(complaints.is_empty() && said.starts_with(&format!("{out}: 480 frames, 31 joints\n")), "{said}");
     assert_same(&read_bones(data("walk.amc")), &read(&out));
     assert!((read(&out).frame_time() - 1.0 / 120.0).abs() < 1e-9);
 
@@ -49,7 +49,8 @@ fn from_bvh_to_acclaim_and_back_nothing_moves() {
             complaints.is_empty()
                 && said.contains(&format!("skeleton           {}", folder.text("as bones.asf")))
         );
-        let rate = said.split("--rate ").nth(1).unwrap().split(' ').next().unwrap();
+        // What gives the frame time back is told last.
+        let rate = said.rsplit("--rate ").next().unwrap().split(' ').next().unwrap();
         assert_same(
             &read_bones(&amc),
             &read({
@@ -59,7 +60,7 @@ fn from_bvh_to_acclaim_and_back_nothing_moves() {
         );
         let again = read(&back);
         assert_eq!(again.frame_count(), original.frame_count());
-        assert!((again.frame_time() / original.frame_time() - 1.0).abs() < 1e-4, "{rate}");
+        assert_eq!(again.frame_time(), original.frame_time(), "{rate}");
         assert_every_joint_is_there(&original, &again);
     }
 }
@@ -93,7 +94,7 @@ fn a_skeleton_is_written_alone_from_every_format() {
     let out = folder.text("bones.asf");
     for (file, bones) in [("walk.asf", 30), ("walk.amc", 30), ("running.bvh", 37)] {
         let (said, _) = run(&[&data(file), "--out", &out, "--overwrite"]).unwrap();
-        assert_eq!(said, format!("{out}: {bones} bones\n"));
+        assert!(said.starts_with(&format!("{out}: {bones} bones\n")), "{said}");
         let skeleton = acclaim::read_skeleton_file(&out).unwrap().skeleton;
         assert_eq!(skeleton.len(), bones + 1);
     }
@@ -104,7 +105,7 @@ fn a_skeleton_is_written_alone_from_every_format() {
     // And its rest pose as joints.
     let rest = folder.text("rest.bvh");
     let (said, _) = run(&[&data("walk.asf"), "--out", &rest]).unwrap();
-    assert_eq!(said, format!("{rest}: 0 frames, 31 joints\n"));
+    assert!(said.starts_with(&format!("{rest}: 0 frames, 31 joints\n")), "{said}");
 }
 
 #[test]

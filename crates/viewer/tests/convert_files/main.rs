@@ -6,6 +6,7 @@ mod command;
 #[path = "../command/files.rs"]
 mod files;
 mod formats;
+mod lost;
 mod printed;
 mod refused;
 mod warps;

@@ -43,6 +43,19 @@ fn what_is_unusual_about_bones_is_printed() {
 }
 
 #[test]
+fn names_in_wide_letters_do_not_move_the_columns() {
+    let folder = Folder::new();
+    let (asf, bvh) = (folder.text("bones.asf"), folder.text("joints.bvh"));
+    // Two wide letters are as wide as four others.
+    let [wide, narrow] = ["腰骨", "four"].map(|name| {
+        fs::write(&asf, ODD_BONES.replace("two", name)).unwrap();
+        run(&[&asf, "--out", &bvh, "--overwrite"]).unwrap();
+        [&asf, &bvh].map(|file| run(&[file, "--print"]).unwrap().0)
+    });
+    assert_eq!(wide.map(|said| said.replace("腰骨", "four")), narrow);
+}
+
+#[test]
 fn what_is_odd_about_the_skeleton_is_told_with_its_file() {
     let folder = Folder::new();
     let odd = odd_files(&folder, 2);
@@ -105,6 +118,6 @@ fn no_name_of_a_bone_can_command_the_terminal() {
     fs::write(&odd, bad(&odd_motion(2))).unwrap();
     let printed = run(&[&odd, "--print"]).unwrap().0;
     let warped = run(&[&odd, "--out", &folder.text("new.amc"), "--warp", "9"]).unwrap().0;
-    assert!(warped.contains("the two of t"), "{warped}");
+    assert!(warped.contains("the two angles of t"), "{warped}");
     assert!(![printed, warped].concat().contains(['\u{1b}', '\u{202e}']));
 }

@@ -101,7 +101,8 @@ fn bones_of_every_order_turn_evenly_about_one_axis() {
     let odd = odd_files(&folder, 6);
     let (out, as_joints) = (folder.text("slow odd.amc"), folder.text("slow odd.bvh"));
     let (said, _) = run(&[&odd, "--warp", "24", "--out", &out]).unwrap();
-    assert!(said.contains("three for every bone that moves: the two of two would be off by"), "{said}");
+    let angles = "three for every bone that moves: the two angles of two would be off by";
+    assert!(said.contains(angles) && said.contains(" degrees in frame 1 (counted from 0)\n"), "{said}");
     let text = fs::read_to_string(&out).unwrap();
     assert!(text.contains(":FORCE-ALL-JOINTS-BE-3DOF\n"), "{text}");
     let (old, new) = (read_bones(&odd), read_bones(&out));
@@ -230,6 +231,7 @@ fn rotations_that_channels_cannot_hold_are_told() {
     fs::write(&file, text).unwrap();
     let (_, complaints) = run(&[&file, "--warp", "20", "--out", &out]).unwrap();
     assert!(complaints.starts_with("two.bvh: r has 2 rotation channels, which cannot hold"), "{complaints}");
+    assert!(complaints.ends_with(", counted from 0)\n"), "{complaints}");
     let motion = read(&out);
     assert!(motion.skeleton().joints()[0].channels.contains(&Channel::Rotation(skeleton::Axis::Z)));
     // Half-way, the nearest that there is.

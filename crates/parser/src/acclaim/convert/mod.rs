@@ -6,7 +6,7 @@ mod to_joints;
 
 use skeleton::acclaim;
 
-pub use to_bones::to_bones;
+pub use to_bones::{to_bones, to_bones_by_joint};
 pub use to_joints::{depth_first, to_joints};
 
 /// Why a motion cannot be told in the other format's words.

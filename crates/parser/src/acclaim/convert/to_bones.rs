@@ -18,6 +18,16 @@ use super::names::Names;
 ///
 /// When there are several roots or none, or a joint other than the root is moved against its parent.
 pub fn to_bones(motion: &skeleton::Motion) -> Result<Motion, ConvertError> {
+    to_bones_by_joint(motion).map(|(motion, _)| motion)
+}
+
+/// The same as [`to_bones`], and for every joint the bone that turns with it: [`BoneId::ROOT`] for the root and for an End
+/// Site. Bones that are none of these were added to lead to a joint or to an End Site.
+///
+/// # Errors
+///
+/// As [`to_bones`].
+pub fn to_bones_by_joint(motion: &skeleton::Motion) -> Result<(Motion, Vec<BoneId>), ConvertError> {
     let joints = motion.skeleton().joints();
     let Some(root) = joints.first() else { return Err(ConvertError::NoJoints) };
     if let Some(second) = joints[1..].iter().find(|joint| joint.is_root()) {
@@ -27,7 +37,7 @@ pub fn to_bones(motion: &skeleton::Motion) -> Result<Motion, ConvertError> {
     for joint in &joints[1..] {
         builder.add(joint)?;
     }
-    let Builder { skeleton, sources, .. } = builder;
+    let Builder { skeleton, sources, bones, .. } = builder;
     let mut values = Vec::with_capacity(sources.len().saturating_mul(motion.frame_count()));
     for frame in 0..motion.frame_count() {
         let row = motion.row(frame).unwrap_or_default();
@@ -36,7 +46,7 @@ pub fn to_bones(motion: &skeleton::Motion) -> Result<Motion, ConvertError> {
             Source::Fixed(value) => value,
         }));
     }
-    Ok(Motion::new(Columns::new(skeleton), motion.frame_count(), values)?)
+    Ok((Motion::new(Columns::new(skeleton), motion.frame_count(), values)?, bones))
 }
 
 /// Where a number of the new rows comes from.

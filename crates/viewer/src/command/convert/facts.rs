@@ -9,6 +9,7 @@ use skeleton::acclaim::Skeleton;
 
 use crate::command::print::{count, number, shortened};
 use crate::command::targets::shown;
+use crate::motion::source::{Source, USUAL_RATE};
 use crate::output::edit::Misfit;
 
 /// So many joints that something is said about are listed.
@@ -27,18 +28,38 @@ pub fn bones(skeleton: &Skeleton) -> String {
 
 /// What else there is to know about a motion of bones, with so many seconds from one frame to the next.
 pub fn beside(skeleton: &Path, seconds: f64) -> String {
-    let rate = rate(1.0 / seconds);
-    fact("skeleton", &shown(skeleton))
-        + &fact(
-            "frames per second",
-            &format!("{rate}; the file does not say it: --rate {rate} when you show it"),
-        )
+    let (rate, exact) = (rate(1.0 / seconds), exact_rate(seconds));
+    let mut said = format!("{rate}; the file does not say it: --rate {rate} when you show it");
+    if exact != rate {
+        said += &format!(" (--rate {exact} gives the frame time {seconds} back)");
+    }
+    fact("skeleton", &shown(skeleton)) + &fact("frames per second", &said)
+}
+
+/// How fast a motion of joints is that was made of bones, which do not say it.
+pub fn chosen_rate(source: &Source) -> String {
+    let (rate, title) = (source.rate, source.title());
+    let why = match rate == USUAL_RATE {
+        true => format!("as in most recordings; {title} does not say it: --rate where it is another"),
+        false => "as --rate says".into(),
+    };
+    fact("frames per second", &format!("{rate}, {why}"))
 }
 
 /// Frames per second with five digits: enough to tell 23.976 from 24, and none that come of a rounded frame time.
 fn rate(rate: f64) -> String {
     let before_point = rate.log10().floor().clamp(-4.0, 4.0) as i32 + 1;
     shortened(number(rate, (5 - before_point).clamp(0, 7) as usize))
+}
+
+/// Frames per second with as few digits as make this frame time again, to the last bit of it where that can be.
+fn exact_rate(seconds: f64) -> String {
+    /// As many as the slowest motions take.
+    const MOST_DIGITS: usize = 24;
+    let rate = 1.0 / seconds;
+    let gives_back = |text: &String| text.parse().is_ok_and(|rate: f64| 1.0 / rate == seconds);
+    let with_digits = |digits: usize| format!("{rate:.digits$}");
+    (0..=MOST_DIGITS).map(with_digits).find(gives_back).unwrap_or_else(|| rate.to_string())
 }
 
 /// One line below what was written.
@@ -51,7 +72,7 @@ pub fn warn(title: &str, motion: &Motion, misfits: &[Misfit]) {
     for Misfit { joint, channels, degrees, frame } in misfits.iter().take(MOST_LISTED) {
         eprintln!(
             "{title}: {} has {}, which cannot hold every rotation: the closest were written, off by up to {} degrees \
-             (frame {frame})",
+             (frame {frame}, counted from 0)",
             printable(&motion.skeleton().label(*joint)),
             count(*channels, "rotation channel", "rotation channels"),
             number(*degrees, 2),
@@ -95,5 +116,26 @@ mod tests {
         ] {
             assert_eq!(rate(1.0 / seconds), text);
         }
+    }
+    #[test]
+    fn the_exact_rate_gives_the_frame_time_back() {
+        for (seconds, text) in [(1.0 / 120.0, "120"), (0.04, "25"), (0.0125, "80"), (3.2, "0.3125")] {
+            assert_eq!(exact_rate(seconds), text);
+        }
+        for seconds in [0.3, 0.0333, 0.033333, 0.008333, 0.0083333, 0.016667, 0.041_708_3, 7e5, 1e-6, 1e6] {
+            let text = exact_rate(seconds);
+            assert_eq!(1.0 / text.parse::<f64>().unwrap(), seconds, "{text}");
+            assert!(text.len() < 26, "{text}");
+        }
+    }
+
+    #[test]
+    fn where_few_digits_do_not_give_the_frame_time_back_more_are_told() {
+        let told = |seconds| beside(Path::new("a.asf"), seconds);
+        let plain = "  frames per second  25; the file does not say it: --rate 25 when you show it\n";
+        assert!(told(0.04).ends_with(plain), "{}", told(0.04));
+        let both =
+            "--rate 3.3333 when you show it (--rate 3.3333333333333335 gives the frame time 0.3 back)\n";
+        assert!(told(0.3).ends_with(both), "{}", told(0.3));
     }
 }

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod facts;
+mod lost;
 mod warped;
 
 use std::borrow::Cow;
@@ -13,6 +14,7 @@ use skeleton::{Channel, Motion, PositionChannels};
 
 pub use arguments::{Format, OutArguments};
 pub use facts::{beside, fact, not_written, warn};
+pub use lost::of_bones as lost_with_bones;
 
 use super::print::count;
 use super::targets::shown;
@@ -100,46 +102,56 @@ fn convert(source: &Source, path: &Path) -> Result<(), String> {
         (Some(map), Format::Bvh) => warped::write_joints(source, &stage, map, path)?,
         (Some(map), Format::Amc { skeleton }) => warped::write_bones(source, &stage, map, [skeleton, path])?,
         (_, Format::Asf) => {
-            let bones = bones(source, &stage)?;
+            let (bones, changes) = bones(source, &stage)?;
             write_whole(path, |out| acclaim::write_skeleton(bones.skeleton(), out))
                 .map_err(|error| not_written("skeleton", path, &error))?;
-            facts::bones(bones.skeleton())
+            facts::bones(bones.skeleton()) + &changes
         }
         (None, Format::Bvh) => {
             write_whole(path, |out| bvh::write(stage.motion(), out))
                 .map_err(|error| not_written("motion", path, &error))?;
-            facts::joints(stage.motion(), stage.motion().frame_count())
+            facts::joints(stage.motion(), stage.motion().frame_count()) + &made_joints(source, &stage)
         }
         (None, Format::Amc { skeleton }) => {
-            let bones = bones(source, &stage)?;
+            let (bones, changes) = bones(source, &stage)?;
             write_pair([skeleton, path], &bones)?;
             let frames = count(bones.frame_count(), "frame", "frames");
             let seconds = stage.motion().playable_frame_time();
-            format!("{frames}, {}{}", facts::bones(bones.skeleton()), beside(skeleton, seconds))
+            format!("{frames}, {}{}{changes}", facts::bones(bones.skeleton()), beside(skeleton, seconds))
         }
     };
     say(&format!("{}: {said}", shown(path)))
 }
 
-/// The motion of bones: as it was read, or the one that its joints stand for.
-fn bones<'a>(source: &Source, stage: &'a Stage) -> Result<Cow<'a, BoneMotion>, String> {
+/// What there is to know about joints beyond their number, where they were made of bones.
+pub fn made_joints(source: &Source, stage: &Stage) -> String {
     match stage.bones() {
-        Some(bones) => Ok(Cow::Borrowed(bones.motion())),
-        None => to_bones(source, stage.motion()).map(Cow::Owned),
+        Some(_) if stage.moving_frames() > 0 => facts::chosen_rate(source) + &lost_with_bones(stage),
+        _ => lost_with_bones(stage),
     }
 }
 
-/// The same motion, of bones.
+/// The motion of bones: as it was read, or the one that its joints stand for, and what is to be said of that.
+fn bones<'a>(source: &Source, stage: &'a Stage) -> Result<(Cow<'a, BoneMotion>, String), String> {
+    match stage.bones() {
+        Some(bones) => Ok((Cow::Borrowed(bones.motion()), String::new())),
+        None => to_bones(source, stage.motion()).map(|(bones, changes)| (Cow::Owned(bones), changes)),
+    }
+}
+
+/// The same motion, of bones, and what is no longer as it was.
 ///
 /// # Errors
 ///
 /// When bones cannot move so: with the joint and the frame.
-pub fn to_bones(source: &Source, motion: &Motion) -> Result<BoneMotion, String> {
+pub fn to_bones(source: &Source, motion: &Motion) -> Result<(BoneMotion, String), String> {
     let converted = match source.positions {
-        PositionChannels::Replace => acclaim::to_bones(motion),
-        PositionChannels::Add => acclaim::to_bones(&replacing(motion)),
+        PositionChannels::Replace => acclaim::to_bones_by_joint(motion),
+        PositionChannels::Add => acclaim::to_bones_by_joint(&replacing(motion)),
     };
-    converted.map_err(|error| format!("{}: {error}", source.title()))
+    let (bones, of_joints) = converted.map_err(|error| format!("{}: {error}", source.title()))?;
+    let changes = lost::of_joints(motion, bones.skeleton(), &of_joints);
+    Ok((bones, changes))
 }
 
 /// The same motion of position channels that take the place of OFFSETs, where they are added to them.

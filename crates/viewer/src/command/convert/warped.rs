@@ -6,7 +6,7 @@ use indicatif::ProgressBar;
 use parser::{acclaim, printable};
 
 use super::facts::{self, fact};
-use super::{bones, not_written, warn};
+use super::{bones, made_joints, not_written, warn};
 use crate::command::bar::bar;
 use crate::command::print::{count, number};
 use crate::motion::source::Source;
@@ -26,7 +26,7 @@ pub fn write_joints(source: &Source, stage: &Stage, map: TimeMap, path: &Path) -
     .map_err(|error| not_written("motion", path, &error))?;
     bar.finish_and_clear();
     warn(&source.title(), motion, &misfits);
-    Ok(facts::joints(motion, map.frame_count()) + &made_of(map))
+    Ok(facts::joints(motion, map.frame_count()) + &made_of(map) + &made_joints(source, stage))
 }
 
 /// Writes a warped motion of bones and its skeleton, and gives what is to be said of it.
@@ -36,7 +36,8 @@ pub fn write_bones(
     map: TimeMap,
     [skeleton, path]: [&Path; 2],
 ) -> Result<String, String> {
-    let motion = bones(source, stage)?.into_owned();
+    let (motion, changes) = bones(source, stage)?;
+    let motion = motion.into_owned();
     let bar = frames_bar(map);
     let mut tick = |done: usize| bar.set_position(done as u64);
     let (motion, freed) = warped::fitting(motion, map, &mut tick);
@@ -59,14 +60,15 @@ pub fn write_bones(
         said += &fact(
             "angles",
             &format!(
-                "three for every bone that moves: the two of {} would be off by {} degrees in frame {}",
+                "three for every bone that moves: the two angles of {} would be off by {} degrees in frame {} \
+                 (counted from 0)",
                 printable(bone),
                 number(freed.degrees, 3),
                 freed.frame
             ),
         );
     }
-    Ok(said)
+    Ok(said + &changes)
 }
 
 /// Which frames were warped.

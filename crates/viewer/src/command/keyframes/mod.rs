@@ -18,6 +18,7 @@ use super::print::{count, number};
 use super::say;
 use super::targets::shown;
 use crate::motion::source::Source;
+use crate::motion::stage::Stage;
 use crate::output::beside::write_whole;
 use crate::output::edit::{self, Choice, Reduced, TooLong};
 
@@ -32,7 +33,8 @@ pub fn write(arguments: &KeyframeArguments, out: Option<&Path>, source: &Source)
     if motion.frame_count() == 0 {
         return Err(format!("{}: there are no frames, and so no keyframes", source.title()));
     }
-    let work = Work { arguments, source, title: source.title(), motion, frames: loaded.stage.frames() };
+    let (stage, frames) = (&loaded.stage, loaded.stage.frames());
+    let work = Work { arguments, source, title: source.title(), stage, motion, frames };
     if let Some(path) = out {
         work.write_motion(path)?;
     }
@@ -47,6 +49,7 @@ struct Work<'a> {
     arguments: &'a KeyframeArguments,
     source: &'a Source,
     title: String,
+    stage: &'a Stage,
     motion: &'a Motion,
     frames: Vec<Frame>,
 }
@@ -74,10 +77,12 @@ impl Work<'_> {
         let Format::Amc { skeleton } = Format::of(path) else {
             write_whole(path, |out| bvh::write(motion, out))
                 .map_err(|error| not_written("motion", path, &error))?;
-            return Ok(String::new());
+            return Ok(convert::made_joints(self.source, self.stage));
         };
-        convert::write_pair([&skeleton, path], &convert::to_bones(self.source, motion)?)?;
-        Ok(convert::beside(&skeleton, motion.playable_frame_time()))
+        let (bones, changes) = convert::to_bones(self.source, motion)?;
+        convert::write_pair([&skeleton, path], &bones)?;
+        let lost = convert::lost_with_bones(self.stage);
+        Ok(convert::beside(&skeleton, motion.playable_frame_time()) + &lost + &changes)
     }
 
     fn too_long(&self) -> String {

@@ -9,7 +9,7 @@ use skeleton::acclaim::{AngleUnit, BoneId, DegreeOfFreedom, Motion, Skeleton};
 
 use super::joints::{extent, extent_of};
 use super::numbers::{count, length, number, shortened};
-use super::tree::{branches, width};
+use super::tree::{branches, padded, width};
 use super::{lines, numbering};
 use crate::motion::source::Source;
 
@@ -52,9 +52,8 @@ pub fn tree(skeleton: &Skeleton, joints: &skeleton::Skeleton) -> String {
         let letters = bone.axis.letters();
         let order = order(if letters == "XYZ" { "" } else { &letters });
         let dofs: Vec<String> = bone.dofs.iter().map(dof).collect();
-        let dofs = dofs.join(", ");
-        let line =
-            format!("{branch:width$}  {long:>8}  {x:>11} {y:>6} {z:>6}  {a:>7} {b:>7} {c:>7}  {order}{dofs}");
+        let (branch, dofs) = (padded(branch, width), dofs.join(", "));
+        let line = format!("{branch}  {long:>8}  {x:>11} {y:>6} {z:>6}  {a:>7} {b:>7} {c:>7}  {order}{dofs}");
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text

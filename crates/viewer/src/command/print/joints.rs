@@ -5,7 +5,7 @@ use std::fmt::Write;
 use skeleton::{Channel, Joint, Motion, RotationOrder, Skeleton};
 
 use super::numbers::{count, is_plain, length, number, scientific};
-use super::tree::{branches, width};
+use super::tree::{branches, padded, width};
 use super::{lines, numbering};
 
 /// The skeleton as a tree: one line per joint with its name, offset (in the file's unit), rotation order and channels.
@@ -18,8 +18,8 @@ pub fn tree(skeleton: &Skeleton) -> String {
     for (joint, branch) in skeleton.joints().iter().zip(&branches) {
         let [x, y, z] = joint.offset.to_array().map(|offset| length(offset.into(), extent));
         let order = joint.rotation_order.to_string();
-        let channels = channels(joint);
-        let line = format!("{branch:width$}  {x:>9} {y:>9} {z:>9}  {order:<5}  {channels}");
+        let (branch, channels) = (padded(branch, width), channels(joint));
+        let line = format!("{branch}  {x:>9} {y:>9} {z:>9}  {order:<5}  {channels}");
         let _ = writeln!(text, "{}", line.trim_end());
     }
     let header = format!(

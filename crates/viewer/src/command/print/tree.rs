@@ -1,6 +1,7 @@
 //! Trees of names.
 
 use parser::printable;
+use unicode_width::UnicodeWidthStr;
 
 /// What is deeper than this is printed with its depth as a number instead of more indentation.
 const DEEPEST: usize = 24;
@@ -44,7 +45,13 @@ pub fn branches<'a>(items: impl Iterator<Item = (&'a str, Option<usize>)>) -> Ve
 
 /// How wide the column of branches is.
 pub fn width(branches: &[String]) -> usize {
-    branches.iter().map(|branch| branch.chars().count()).max().unwrap_or(0).min(WIDEST)
+    branches.iter().map(|branch| branch.width()).max().unwrap_or(0).min(WIDEST)
+}
+
+/// `branch` with as many blanks behind it as make it `width` columns wide. Some letters take two columns, and some none.
+pub fn padded(branch: &str, width: usize) -> String {
+    let blanks = width.saturating_sub(branch.width());
+    format!("{branch}{:blanks$}", "")
 }
 
 /// A name without characters that would do something to the terminal, and not longer than a line.
@@ -68,5 +75,13 @@ mod tests {
         assert_eq!(name(&"ä".repeat(48)), "ä".repeat(48));
         assert_eq!(name(&"ä".repeat(49)), "ä".repeat(47) + "…");
         assert_eq!(name(""), "(no name)");
+    }
+
+    #[test]
+    fn wide_letters_take_two_columns() {
+        let names = ["腰骨", "spine", "cafe\u{301}"].map(String::from);
+        assert_eq!(width(&names), 5);
+        assert_eq!(names.map(|name| padded(&name, 6) + "|"), ["腰骨  |", "spine |", "cafe\u{301}  |"]);
+        assert_eq!(padded("spine", 2), "spine");
     }
 }

@@ -3,16 +3,15 @@
 use std::sync::Arc;
 
 use exam::{Functions, InProcess};
-use glam::Quat;
-use skeleton::Pose;
+use glam::{EulerRot, Quat};
 use skeleton::acclaim::{AcclaimFunctions, Between, Posture, TimeWarpFunctions};
+use skeleton::{FkFunctions, Pose, pose_frame};
 
 use super::Studio;
 use crate::draw::canvas::{Canvas, Color, Weight};
 use crate::live::board::Board;
 use crate::live::mover::Mover;
-use crate::live::student::ask;
-use crate::motion::stage::{MARGIN, Wanted};
+use crate::motion::stage::MARGIN;
 use crate::motion::time_map::TimeMap;
 use crate::scene::{Look, Scene, Style};
 use crate::view::answers::Recorded;
@@ -27,14 +26,15 @@ pub(super) const STUB: AcclaimFunctions = grading::acclaim::TEMPLATE;
 pub(super) const STIFF: AcclaimFunctions =
     AcclaimFunctions { bone_rotation: STUB.bone_rotation, ..solutions::ACCLAIM };
 
-/// Part 1 with its three rotations in the order X, Y, Z.
-const TURNED_ROUND: AcclaimFunctions = AcclaimFunctions {
-    bone_rotation: |bone, angles, parent| {
-        let [x, y, z] = angles.map(f32::to_radians);
-        let turn = Quat::from_rotation_x(x) * Quat::from_rotation_y(y) * Quat::from_rotation_z(z);
-        parent * bone.rot_parent_current * turn
+/// A joint's rotation as a bone has it whose axes are the world's, by three angles about Z, Y and X, but multiplied in the order
+/// X, Y, Z.
+const TURNED_ROUND: FkFunctions = FkFunctions {
+    local_quaternion: |joint, cursor| {
+        let local = (solutions::FK.local_quaternion)(joint, cursor);
+        let (z, y, x) = local.to_euler(EulerRot::ZYX);
+        Quat::from_rotation_x(x) * Quat::from_rotation_y(y) * Quat::from_rotation_z(z)
     },
-    ..solutions::ACCLAIM
+    ..solutions::FK
 };
 
 /// Part 2 with the angles about X and Z exchanged.
@@ -73,31 +73,33 @@ impl Studio {
         self.draw(&app.scene(Shown::Student(&recorded), SIZE), SIZE)
     }
 
-    /// One frame twice: with the three rotations of a bone multiplied as they are meant, and the other way round.
+    /// One frame twice: with the three rotations of a bone multiplied as they are meant, and the other way round. It is one
+    /// of the dance, as the walk's bones turn far about one axis only, and look nearly the same in both orders.
     pub(super) fn orders(&mut self) -> Canvas {
-        const FRAME: usize = 259;
+        const FRAME: usize = 28;
         const TILE: (usize, usize) = (480, 540);
         const SIDE: (f32, f32) = (1.05, 0.1);
-        let both = [("ZYX: Rz Ry Rx", solutions::ACCLAIM), ("XYZ: Rx Ry Rz", TURNED_ROUND)];
+        let stage = Arc::clone(&self.dance);
+        let both = [("ZYX: Rz Ry Rx", solutions::FK), ("XYZ: Rx Ry Rz", TURNED_ROUND)];
         let mut picture = Canvas::new(2 * TILE.0, TILE.1);
-        let poses = both.map(|(_, functions)| self.pose_of(functions, FRAME));
-        let points: Vec<_> = poses.iter().flat_map(|pose| self.walk.places(pose)).collect();
+        let poses = both.map(|(_, functions)| {
+            let mut pose = Pose::default();
+            pose_frame(stage.motion().skeleton(), &stage.frame(FRAME), &functions, &mut pose);
+            pose
+        });
+        let points: Vec<_> = poses.iter().flat_map(|pose| stage.places(pose)).collect();
         for (column, ((order, _), pose)) in both.iter().zip(&poses).enumerate() {
             let mut scene = Scene {
-                camera: self.walk.camera(self.walk.anchor(FRAME), &[], TILE),
-                ground: self.walk.ground(),
+                camera: stage.camera(stage.anchor(FRAME), &[], TILE),
+                ground: stage.ground(),
                 style: Style::Lit,
-                size: self.walk.size(),
+                size: stage.size(),
                 text_scale: 1.0,
                 ..Scene::default()
             };
             (scene.camera.azimuth, scene.camera.elevation) = SIDE;
             scene.camera.frame(&points, TILE, MARGIN, 0.0);
-            self.walk.fill(
-                scene.figures.add(),
-                pose,
-                &Wanted { look: Look::Solid, axes: false, ..Wanted::default() },
-            );
+            *scene.figures.add() = stage.figure(pose, Look::Solid, false);
             let mut tile = self.draw(&scene, TILE);
             self.painter.caption(order, (16, TILE.1 as i32 - 18), 20, Weight::Regular, &mut tile);
             tile.rectangle((TILE.0 as i32 - 1, 0), (1, TILE.1 as i32), Color::WHITE, 0.7);
@@ -123,11 +125,5 @@ impl Studio {
         let shown = |motion: usize| if motion == 1 { Shown::Student(&recorded) } else { Shown::Reference };
         screen.update(&mut gallery, shown, SIZE);
         screen.canvas().clone()
-    }
-
-    fn pose_of(&self, functions: AcclaimFunctions, frame: usize) -> Pose {
-        let mut subject = InProcess(Functions::Acclaim(functions));
-        let posed = ask(Mover::Acclaim, &mut subject, &self.walk, frame..frame + 1);
-        posed.ok().and_then(|mut posed| posed.pop()).map(|posed| posed.pose).unwrap_or_default()
     }
 }
