@@ -5,6 +5,19 @@ use skeleton::{Frame, Pose, pose_frame};
 
 use super::Stage;
 
+/// A frame, and where everything is in it: memory that is used again for the next one.
+#[derive(Clone, Debug, Default)]
+pub struct Moment {
+    /// The frame as functions that move joints get it.
+    pub frame: Frame,
+    /// Where the joints are if everything is right.
+    pub pose: Pose,
+    /// The frame as functions that move bones get it, where the exercise is about these.
+    pub posture: Posture,
+    /// Where the bones are then; nothing for one that is nowhere.
+    pub places: Vec<Option<BonePlace>>,
+}
+
 impl Stage {
     /// Frame `index` (from 0) as the functions get it. Behind the last frame it is the rest pose.
     pub fn frame(&self, index: usize) -> Frame {
@@ -64,20 +77,17 @@ impl Stage {
         }
     }
 
-    /// Where the joints are in frame `index` (from 0) if everything is right in the exercise on bones. `frame`, `posture` and
-    /// `places` are memory that is used again.
+    /// Reads frame `index` (from 0) into `moment`, and where the joints are in it if everything is right: in the exercise on
+    /// bones where it is `of_bones`.
     ///
-    /// The exercise turns all bones by Rz Ry Rx, and so does this: its right solution agrees with it in every file. That is
+    /// That exercise turns all bones by Rz Ry Rx, and so does this: its right solution agrees with it in every file. That is
     /// the [reference](Stage::reference), too, but where a file lists degrees of freedom in another order or a warped frame
     /// lies between two others.
-    pub fn read_reference_of_bones(
-        &self,
-        index: usize,
-        (frame, posture): (&mut Frame, &mut Posture),
-        places: &mut Vec<Option<BonePlace>>,
-        pose: &mut Pose,
-    ) {
-        let Some(bones) = &self.bones else { return self.read_reference(index, frame, pose) };
+    pub fn read(&self, index: usize, of_bones: bool, moment: &mut Moment) {
+        let Moment { frame, pose, posture, places } = moment;
+        let Some(bones) = self.bones.as_ref().filter(|_| of_bones) else {
+            return self.read_reference(index, frame, pose);
+        };
         self.read_frame(index, frame);
         self.read_posture(index, posture);
         bones.read_reference(posture, places);
