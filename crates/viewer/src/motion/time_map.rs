@@ -20,17 +20,17 @@ pub enum TimeMap {
         first: usize,
         /// The second keyframe, behind the first.
         last: usize,
-        /// How many frames it is from the one to the other in the new motion: 0 leaps.
+        /// How many frames it is from the one to the other in the new motion: at least one.
         new: usize,
     },
 }
 
 impl TimeMap {
     /// The stretch between two keyframes of a motion of `old` frames, in either order, gets `new` frames. `None` when there
-    /// is nothing between them, or one of them is not there.
+    /// is nothing between them, one of them is not there, or there are to be no frames.
     pub fn stretch(old: usize, keyframes: (usize, usize), new: usize) -> Option<TimeMap> {
         let (first, last) = (keyframes.0.min(keyframes.1), keyframes.0.max(keyframes.1));
-        (first < last && last < old).then_some(TimeMap::Stretch { old, first, last, new })
+        (first < last && last < old && new > 0).then_some(TimeMap::Stretch { old, first, last, new })
     }
 
     /// How many frames the old motion has.
@@ -114,8 +114,7 @@ impl TimeMap {
         let end = self.frame_count().saturating_sub(1);
         let (first, second) = match self {
             TimeMap::Whole { old, new } => (0, held_from(old, new)),
-            // Where it leaps, the next frame is behind the stretch.
-            TimeMap::Stretch { first, new, .. } => (first, first.saturating_add(new.max(1))),
+            TimeMap::Stretch { first, new, .. } => (first, first.saturating_add(new)),
         };
         let mut least = 0;
         let corners = [0, first, second, end].into_iter().filter(move |corner| {
@@ -166,19 +165,11 @@ mod tests {
     }
 
     #[test]
-    fn a_stretch_without_frames_is_leapt_over() {
-        let map = TimeMap::stretch(10, (3, 6), 0).unwrap();
-        let places: Vec<f64> = (0..map.frame_count()).map(|index| position(&map, index)).collect();
-        // The keyframe at which it begins is also that at which it ends.
-        assert_eq!(places, [0.0, 1.0, 2.0, 3.0, 7.0, 8.0, 9.0]);
-        assert_eq!(map.corners().collect::<Vec<_>>(), [(0, 0.0), (3, 3.0), (4, 7.0), (6, 9.0)]);
-    }
-
-    #[test]
-    fn there_is_no_stretch_between_a_frame_and_itself_nor_beyond_the_motion() {
+    fn there_is_no_stretch_between_a_frame_and_itself_nor_beyond_the_motion_nor_of_no_frames() {
         assert_eq!(TimeMap::stretch(10, (3, 3), 5), None);
         assert_eq!(TimeMap::stretch(10, (3, 10), 5), None);
         assert_eq!(TimeMap::stretch(0, (0, 1), 5), None);
+        assert_eq!(TimeMap::stretch(10, (3, 6), 0), None);
     }
 
     #[test]

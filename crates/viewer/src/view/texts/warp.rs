@@ -42,7 +42,6 @@ impl fmt::Display for Speed {
         let (new, old) = self.0.speed();
         match () {
             () if new == old => f.write_str("as fast"),
-            () if new == 0 => f.write_str("left out"),
             () if new > old => write!(f, "{}× slower", Rounded(new as f64 / old as f64)),
             () => write!(f, "{}× faster", Rounded(old as f64 / new as f64)),
         }
