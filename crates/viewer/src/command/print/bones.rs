@@ -8,10 +8,11 @@ use skeleton::acclaim::{AngleUnit, BoneId, DegreeOfFreedom, LocalAxes, Motion, S
 use skeleton::{Axis, RotationOrder};
 
 use super::joints::{extent, extent_of};
-use super::numbers::{count, length, number, shortened};
+use super::numbers::{length, number, shortened};
 use super::tree::{branches, width};
 use super::{lines, numbering};
 use crate::motion::source::Source;
+use crate::view::texts::count;
 
 /// So many bones that something is said about are listed.
 const MOST_LISTED: usize = 10;

@@ -3,18 +3,17 @@
 use std::fmt::{self, Write};
 
 use super::Facts;
-use super::number::Rounded;
+use super::number::{Rounded, count};
 use crate::motion::time_map::TimeMap;
 use crate::scene::{Line, Panel};
 
 /// Adds to a file's name what the warp makes of the motion.
 pub fn write_title(title: &mut String, map: &TimeMap) {
     let (new, old) = map.speed();
-    let frames = if new == 1 { "frame" } else { "frames" };
     // A string takes whatever is written to it.
     let _ = match *map {
         TimeMap::Whole { old: 0, .. } => write!(title, ", no frames to warp"),
-        TimeMap::Whole { .. } => write!(title, ", {old} → {new} {frames}"),
+        TimeMap::Whole { .. } => write!(title, ", {old} → {}", count(new, "frame", "frames")),
         TimeMap::Stretch { first, last, .. } => write!(title, ", frames {first}–{last}: {old} → {new}"),
     };
 }
