@@ -76,6 +76,11 @@ pub(crate) fn not_comparable() -> Option<Difference> {
     })
 }
 
+/// `1 frame`, `2 frames`: `what` is the word for one of them, whose plural ends in s.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
 /// (x, y, z, w) with four decimals.
 pub(crate) fn quaternion(q: Quat) -> String {
     format!("({:.4}, {:.4}, {:.4}, {:.4})", q.x, q.y, q.z, q.w)

@@ -8,7 +8,7 @@ use skeleton::{Joint, RotationOrder, Skeleton};
 use super::variants::quaternion;
 use crate::compare::{
     NOT_A_NUMBER, ROTATION_TOLERANCE, between_positions, between_rotations, between_rotations_within,
-    not_comparable,
+    counted, not_comparable,
 };
 use crate::{Case, Difference};
 
@@ -156,12 +156,11 @@ fn own_rotations(skeleton: &Skeleton, answer: &FrameAnswer) -> Vec<Vec<Quat>> {
 
 /// `what` is the word for one of them.
 fn other_count(what: &str, expected: usize, got: usize) -> Option<Difference> {
-    let counted = |count: usize| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
     let more_or_fewer = if got > expected { "too many" } else { "missing" };
     Some(Difference {
-        got: counted(got),
-        expected: format!("{}, one for every joint and End Site", counted(expected)),
-        between: format!("{} {more_or_fewer}", counted(expected.abs_diff(got))),
+        got: counted(got, what),
+        expected: format!("{}, one for every joint and End Site", counted(expected, what)),
+        between: format!("{} {more_or_fewer}", counted(expected.abs_diff(got), what)),
     })
 }
 

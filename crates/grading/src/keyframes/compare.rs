@@ -5,6 +5,7 @@ use std::fmt::Display;
 use exam::keyframes::{Answer as KeyframesAnswer, Question as KeyframesQuestion};
 use exam::{Answer, Question};
 
+use crate::compare::counted;
 use crate::{Case, Difference};
 
 /// An error or a cost is right when it is off by at most this, times the right one. Where 0 is right, only 0 is.
@@ -81,7 +82,7 @@ pub(super) fn between_keyframes(expected: &[usize], got: &[usize], frame_count: 
             (None, None) => "none".to_owned(),
         };
         let lengths = (expected.len() != got.len())
-            .then(|| format!("; {} instead of {}", count(got.len(), "keyframe"), expected.len()));
+            .then(|| format!("; {} instead of {}", counted(got.len(), "keyframe"), expected.len()));
         place + &lengths.unwrap_or_default()
     };
     Some(Difference { got: list(got, first), expected: list(expected, first), between })
@@ -122,11 +123,6 @@ fn part(items: &[impl Display], from: usize, to: usize) -> String {
 
 fn joined(items: &[impl Display]) -> String {
     items.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
-}
-
-/// `1 keyframe`, `2 keyframes`.
-fn count(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// With four decimals, or as a power of ten where these say nothing.

@@ -7,7 +7,7 @@ use skeleton::acclaim::{Between, Posture};
 use super::compare::{Off, first_off};
 use super::misconceptions::accepted;
 use super::throws;
-use crate::compare::NOT_A_NUMBER;
+use crate::compare::{NOT_A_NUMBER, counted};
 use crate::dice::Dice;
 use crate::{Judge, Reference, Trouble, WholeMotion, WholeReport};
 
@@ -69,11 +69,9 @@ fn postures(answer: &Answer) -> Option<&[Posture]> {
 }
 
 fn other_count(got: &[Posture]) -> Trouble {
-    let frames = got.len();
-    let summary = format!(
-        "With your three functions, the new motion has {frames} frame{}, and not as many as were asked for.",
-        if frames == 1 { "" } else { "s" }
-    );
+    let frames = counted(got.len(), "frame");
+    let summary =
+        format!("With your three functions, the new motion has {frames}, and not as many as were asked for.");
     Trouble::Different { summary, details: vec![format!("{FRAMES} frames were to become {NEW_COUNT}.")] }
 }
 

@@ -1,7 +1,7 @@
 //! From the files on the command line to motions: a skeleton of bones and its motion are in two files.
 
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use super::targets::{shown, shown_in_command};
 use crate::motion::source::{Source, ends_in};
@@ -45,14 +45,31 @@ pub fn sources(files: &[PathBuf], source: impl Fn(PathBuf) -> Source) -> Result<
 ///
 /// # Errors
 ///
-/// When it is none of these: with what there is.
+/// When it is none of these, with what there is, or when the folder cannot be listed.
 fn beside(motion: &Path) -> Result<PathBuf, String> {
     let folder = motion.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let files = fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path()));
+    chosen(motion, folder, skeletons(folder))
+}
+
+/// The skeletons in a folder, in the order of their names: so that the same one is chosen everywhere.
+fn skeletons(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
+    let files = entries.into_iter().map(|entry| entry.path());
     let mut skeletons: Vec<PathBuf> = files.filter(|file| ends_in(file, "asf") && !file.is_dir()).collect();
-    // So that it is the same one everywhere.
     skeletons.sort();
-    named(motion, &skeletons).cloned().ok_or_else(|| missing(motion, &skeletons))
+    Ok(skeletons)
+}
+
+/// The one of a motion among the `skeletons` in its folder.
+fn chosen(motion: &Path, folder: &Path, skeletons: io::Result<Vec<PathBuf>>) -> Result<PathBuf, String> {
+    match skeletons {
+        Ok(skeletons) => {
+            named(motion, &skeletons).cloned().ok_or_else(|| missing(motion, &among(&skeletons)))
+        }
+        Err(error) => {
+            Err(missing(motion, &format!("the folder {} cannot be listed: {error}", shown(folder))))
+        }
+    }
 }
 
 /// The one of these skeletons that belongs to a motion, if that is clear.
@@ -87,18 +104,22 @@ pub fn check_bones(sources: &[Source]) -> Result<(), String> {
     ))
 }
 
-/// Why there is no skeleton for a motion, with these in its folder.
-fn missing(motion: &Path, skeletons: &[PathBuf]) -> String {
-    if let Err(error) = fs::metadata(motion) {
-        return format!("{}: cannot be opened: {error}", shown(motion));
-    }
+/// What there is in the folder of a motion to which none of these skeletons belongs.
+fn among(skeletons: &[PathBuf]) -> String {
     let name = |skeleton: &PathBuf| shown(Path::new(skeleton.file_name().unwrap_or_default()));
     let listed: Vec<String> = skeletons.iter().take(MOST_LISTED).map(name).collect();
-    let there = match skeletons.len() - listed.len() {
+    match skeletons.len() - listed.len() {
         0 if listed.is_empty() => "there is none in its folder".into(),
         0 => format!("none in its folder has its name ({})", listed.join(", ")),
         more => format!("none in its folder has its name ({}, and {more} more)", listed.join(", ")),
-    };
+    }
+}
+
+/// Why there is no skeleton for a motion: the motion is not there, or this about its folder.
+fn missing(motion: &Path, there: &str) -> String {
+    if let Err(error) = fs::metadata(motion) {
+        return format!("{}: cannot be opened: {error}", shown(motion));
+    }
     format!(
         "{} is the motion of a skeleton that is in another file, an .asf file, and {there}; name it in front of the motion: \
          cargo view SKELETON.asf {}",
@@ -173,5 +194,21 @@ mod tests {
         fs::write(path("36_01.amc"), "").unwrap();
         let told = skeleton("36_01.amc").unwrap_err();
         assert!(told.contains("(35.asf, 35_01.asf, Walk_On.ASF, walk.asf, walker.asf)"), "{told}");
+    }
+    #[test]
+    fn a_folder_that_cannot_be_listed_is_not_said_to_hold_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let told = |motion: &Path| {
+            let refused = Err(io::ErrorKind::PermissionDenied.into());
+            chosen(motion, folder.path(), refused).unwrap_err()
+        };
+        let motion = folder.path().join("w.amc");
+        assert!(told(&motion).contains("w.amc: cannot be opened: "), "{}", told(&motion));
+        fs::write(&motion, "").unwrap();
+        let (told, folder) = (told(&motion), folder.path().display());
+        let why = format!("and the folder {folder} cannot be listed: permission denied; name it in front");
+        assert!(told.contains(&why) && told.contains("SKELETON.asf"), "{told}");
+        // Of a file there is no list at all.
+        assert!(skeletons(&motion).is_err());
     }
 }

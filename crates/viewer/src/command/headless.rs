@@ -26,6 +26,7 @@ use crate::view::answers::Recorded;
 use crate::view::app::{App, Shown};
 use crate::view::gallery::Gallery;
 use crate::view::screen::Screen;
+use crate::view::texts;
 use crate::window::keys::Action;
 
 /// Writes what the command line asks for.
@@ -186,8 +187,8 @@ impl Studio {
         film::write(path, format, frames, draw, |done| progress.set_position(done as u64)).map_err(text)?;
         progress.finish_and_clear();
         let (width, height) = size;
-        let pictures = if count == 1 { "picture" } else { "pictures" };
-        Ok(format!("{count} {pictures} of {width} x {height} pixels, {:.2} seconds", seconds * count as f64))
+        let pictures = texts::count(count, "picture", "pictures");
+        Ok(format!("{pictures} of {width} x {height} pixels, {:.2} seconds", seconds * count as f64))
     }
 
     fn sheet(&mut self, path: &Path, arguments: &Arguments) -> Result<String, String> {
@@ -208,9 +209,9 @@ impl Studio {
             false => String::new(),
         };
         let (count, sheet) = (sheet.count(), sheet.finish());
-        let frames = if count == 1 { "frame" } else { "frames" };
+        let frames = texts::count(count, "frame", "frames");
         picture::save(&sheet, path).map_err(|error| not_written(path, &error))?;
-        Ok(format!("{count} {frames}{fewer}, {} x {} pixels", sheet.size().0, sheet.size().1))
+        Ok(format!("{frames}{fewer}, {} x {} pixels", sheet.size().0, sheet.size().1))
     }
 }
 

@@ -19,6 +19,7 @@ use canvas::{Canvas, Typeface, Weight};
 pub use colors::color_of;
 use lit::Bodies;
 use panel::Panels;
+pub(crate) use panel::fit;
 use strokes::Strokes;
 use timeline::Bar;
 use words::Writer;

@@ -77,6 +77,12 @@ struct Measures {
     room: i64,
 }
 
+/// How large texts are in a picture of `size` pixels, 1 for an ordinary display, where they have the size `scale` in a large one.
+pub fn fit(size: (usize, usize), scale: f32) -> f32 {
+    let (width, height) = (size.0 as f32 / scale, size.1 as f32 / scale);
+    (width / ROOMY.0).min(height / ROOMY.1).clamp(SMALLEST, 1.0) * scale
+}
+
 impl Measures {
     /// `None` when the picture is too small for any text.
     fn new(size: (usize, usize), scale: f32) -> Option<Measures> {
@@ -84,7 +90,7 @@ impl Measures {
         if width < LEAST.0 || height < LEAST.1 {
             return None;
         }
-        let fit = (width / ROOMY.0).min(height / ROOMY.1).clamp(SMALLEST, 1.0) * scale;
+        let fit = fit(size, scale);
         let pixels = |length: f32| (length * fit).round() as i32;
         let margin = pixels(MARGIN);
         let share = if fit < scale { MOST_COVERED.0 } else { MOST_COVERED.1 };

@@ -44,11 +44,13 @@ impl Warp {
             .unwrap_or(TimeMap::Whole { old, new: count(old) })
     }
 
-    /// The same for a motion whose file has changed: a whole motion gets as many frames as before, however many it has now.
+    /// The same for a motion whose file has changed: a whole motion gets as many frames as before, however many it has now. One
+    /// that had no frames, of which nobody said how many it gets, gets twice as many as it has now.
     #[must_use]
     pub fn for_motion(&self, old: usize) -> Warp {
         let whole = self.first.is_none() && self.last.is_none();
-        Warp { of: if whole { old } else { self.of }, ..*self }
+        let new = if self.new == 0 { old.saturating_mul(2) } else { self.new };
+        if whole { Warp { new, of: old, ..*self } } else { *self }
     }
 
     /// The keyframes, in a motion of `old` frames; `None` when it is warped as a whole.
@@ -221,6 +223,10 @@ mod tests {
         let warping = |frames, keyframes| Warping { frames, keyframes };
         let of_none = Warp::of_motion(&warping(Some(960), None), 0);
         assert_eq!(of_none.for_motion(480).map(480), TimeMap::Whole { old: 480, new: 960 });
+        // Twice nothing is nothing, and stays so for no other motion.
+        let twice = Warp::of_motion(&warping(None, None), 0);
+        assert_eq!(twice.for_motion(0).map(0).frame_count(), 0);
+        assert_eq!(twice.for_motion(480).map(480), TimeMap::Whole { old: 480, new: 960 });
         let stretch = Warp::of_motion(&warping(None, Some((160, 100))), 480);
         assert_eq!(stretch.map(480), TimeMap::Stretch { old: 480, first: 100, last: 160, new: 120 });
     }

@@ -4,7 +4,7 @@ use glam::Vec3;
 use skeleton::acclaim::Posture;
 
 use crate::Difference;
-use crate::compare::{between_positions, between_rotations};
+use crate::compare::{between_positions, between_rotations, counted};
 use crate::time_warp::variants::quaternion;
 
 /// Two translations are the same when their distance is at most this, in the file's unit.
@@ -85,7 +85,7 @@ fn first<T>(
 
 /// The motions do not have as many frames.
 pub(super) fn other_count(expected: usize, got: usize) -> Option<Difference> {
-    let frames = |count: usize| format!("{count} frame{}", if count == 1 { "" } else { "s" });
+    let frames = |count| counted(count, "frame");
     let apart = if got > expected { "too many" } else { "missing" };
     Some(Difference {
         got: frames(got),

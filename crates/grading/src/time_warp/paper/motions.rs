@@ -5,6 +5,7 @@ use skeleton::acclaim::Posture;
 
 use super::{case, input};
 use crate::Case;
+use crate::compare::counted;
 use crate::dice::Dice;
 use crate::time_warp::compare::{self, in_degrees};
 use crate::time_warp::throws;
@@ -61,7 +62,6 @@ fn few(dice: &mut Dice) -> Vec<Case> {
 
 fn ask(postures: Vec<Posture>, new_count: usize, origin: Option<String>, group: Option<&str>) -> Case {
     let bones = postures.first().map_or(0, |posture| posture.angles.len());
-    let counted = |count, what| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
     let old = format!("{}, {}", counted(postures.len(), "frame"), counted(bones, "bone"));
     let mut inputs = vec![input("old motion", old)];
     inputs.extend(origin.map(|origin| input("made from", origin)));

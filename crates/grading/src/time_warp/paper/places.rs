@@ -4,6 +4,7 @@ use exam::Answer;
 use exam::time_warp::Question as TimeWarpQuestion;
 
 use super::{case, input, tell, until};
+use crate::compare::counted;
 use crate::dice::Dice;
 use crate::time_warp::compare;
 use crate::time_warp::misconceptions::misconceptions;
@@ -132,7 +133,7 @@ impl Asked {
 
     fn case(&self, group: Option<&str>) -> Case {
         let Asked { new_frame, old_count, new_count } = *self;
-        let frames = |count| if count == 1 { "1 frame".to_owned() } else { format!("{count} frames") };
+        let frames = |count| counted(count, "frame");
         let inputs = vec![
             input("new frame", format!("{new_frame}, counted from 0")),
             input("old motion", frames(old_count)),

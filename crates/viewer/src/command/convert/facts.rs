@@ -7,10 +7,11 @@ use parser::printable;
 use skeleton::Motion;
 use skeleton::acclaim::Skeleton;
 
-use crate::command::print::{count, number, shortened};
+use crate::command::print::{number, shortened};
 use crate::command::targets::shown;
 use crate::motion::source::{Source, USUAL_RATE};
 use crate::output::edit::Misfit;
+use crate::view::texts::count;
 
 /// So many joints that something is said about are listed.
 const MOST_LISTED: usize = 10;

@@ -7,8 +7,9 @@ use skeleton::acclaim::{self, Bone, BoneId, DegreeOfFreedom, Units};
 use skeleton::{Channel, Joint, Motion};
 
 use super::facts::fact;
-use crate::command::print::{count, number, shortened};
+use crate::command::print::{number, shortened};
 use crate::motion::stage::Stage;
+use crate::view::texts::count;
 
 /// So many names are told.
 const MOST_NAMED: usize = 3;

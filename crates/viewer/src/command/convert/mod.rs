@@ -16,12 +16,12 @@ pub use arguments::{Format, OutArguments};
 pub use facts::{beside, fact, not_written, warn};
 pub use lost::of_bones as lost_with_bones;
 
-use super::print::count;
 use super::targets::shown;
 use super::{Arguments, keyframes, say, text};
 use crate::motion::source::{Loaded, Source};
 use crate::motion::stage::Stage;
 use crate::output::beside::{write_both, write_whole};
+use crate::view::texts::count;
 
 /// Sees to it that nothing is said of new files that means nothing for them.
 ///

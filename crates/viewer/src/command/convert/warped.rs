@@ -8,12 +8,13 @@ use parser::{acclaim, printable};
 use super::facts::{self, fact};
 use super::{bones, made_joints, not_written, warn};
 use crate::command::bar::bar;
-use crate::command::print::{count, number};
+use crate::command::print::number;
 use crate::motion::source::Source;
 use crate::motion::stage::Stage;
 use crate::motion::time_map::TimeMap;
 use crate::output::beside::{write_both, write_whole};
 use crate::output::warped;
+use crate::view::texts::count;
 
 /// Writes a warped motion of joints, and gives what is to be said of it.
 pub fn write_joints(source: &Source, stage: &Stage, map: TimeMap, path: &Path) -> Result<String, String> {

@@ -14,13 +14,14 @@ pub use arguments::{KeyframeArguments, MEANINGLESS};
 
 use super::bar::bar;
 use super::convert::{self, Format, fact, not_written, warn};
-use super::print::{count, number};
+use super::print::number;
 use super::say;
 use super::targets::shown;
 use crate::motion::source::Source;
 use crate::motion::stage::Stage;
 use crate::output::beside::write_whole;
 use crate::output::edit::{self, Choice, Reduced, TooLong};
+use crate::view::texts::count;
 
 /// So many keyframes are listed.
 const MOST_LISTED: usize = 200;
@@ -122,7 +123,8 @@ impl Work<'_> {
                 format!("{} units of the file, per tip and frame", significant(edit::rms(errors, error))),
             ),
         ];
-        let counts = [count(frames, "frame", "frames"), count(keyframes.len(), "keyframe", "keyframes")];
+        let counts = [count(frames, "frame", "frames"), count(keyframes.len(), "keyframe", "keyframes")]
+            .map(|count| count.to_string());
         facts
             .iter()
             .fold(format!("{}{why}\n", counts.join(", ")), |text, (name, value)| text + &fact(name, value))

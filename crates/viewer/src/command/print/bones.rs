@@ -8,10 +8,11 @@ use skeleton::RotationOrder;
 use skeleton::acclaim::{AngleUnit, BoneId, DegreeOfFreedom, Motion, Skeleton};
 
 use super::joints::{extent, extent_of};
-use super::numbers::{count, length, number, shortened};
+use super::numbers::{length, number, shortened};
 use super::tree::{branches, padded, width};
 use super::{lines, numbering};
 use crate::motion::source::Source;
+use crate::view::texts::count;
 
 /// So many bones that something is said about are listed.
 const MOST_LISTED: usize = 10;

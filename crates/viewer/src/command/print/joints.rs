@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use skeleton::{Channel, Joint, Motion, RotationOrder, Skeleton};
 
-use super::numbers::{count, is_plain, length, number, scientific};
+use super::numbers::{is_plain, length, number, scientific};
 use super::tree::{branches, padded, width};
 use super::{lines, numbering};
+use crate::view::texts::count;
 
 /// The skeleton as a tree: one line per joint with its name, offset (in the file's unit), rotation order and channels.
 pub fn tree(skeleton: &Skeleton) -> String {
@@ -58,7 +59,7 @@ pub fn summary(motion: &Motion) -> String {
     let (moved_roots, moved_others): (Vec<&Joint>, Vec<&Joint>) = moved.partition(|joint| joint.is_root());
 
     let counts = [
-        count(joints.len() - end_sites, "joint", "joints"),
+        count(joints.len() - end_sites, "joint", "joints").to_string(),
         format!("and {}", count(end_sites, "End Site", "End Sites")),
         if roots == 1 { String::new() } else { format!("({roots} roots)") },
     ];

@@ -5,7 +5,7 @@ mod joints;
 mod numbers;
 mod tree;
 
-pub use numbers::{count, number, shortened};
+pub use numbers::{number, shortened};
 
 use crate::motion::source::{Loaded, Source};
 use crate::motion::time_map::TimeMap;

@@ -47,11 +47,6 @@ pub fn scientific(value: f64) -> String {
     }
 }
 
-/// How many there are of something.
-pub fn count(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

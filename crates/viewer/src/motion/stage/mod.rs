@@ -21,6 +21,7 @@ use crate::scene::Side;
 
 pub use figure::Wanted;
 pub(crate) use figure::tips;
+pub use frames::Moment;
 
 /// A motion and what follows from it for the picture. Lengths are in the file's unit. Places in the picture are those of
 /// the file, turned so that Y points up.

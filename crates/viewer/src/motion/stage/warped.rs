@@ -21,8 +21,8 @@ impl Stage {
     }
 
     /// Frame `index` (from 0) of the motion warped so: between two frames every joint turns the shorter way round about one
-    /// axis, and moves straight. Behind the last frame it is the rest pose.
-    pub(super) fn read_warped(&self, warp: &TimeMap, index: usize, frame: &mut Frame) {
+    /// axis, and moves straight. Behind the last frame it is the rest pose. The memory of `frame` and of `next` is used again.
+    pub(super) fn read_warped(&self, warp: &TimeMap, index: usize, frame: &mut Frame, next: &mut Frame) {
         if index >= warp.frame_count() {
             return self.motion.read_frame(self.motion.frame_count(), self.positions, frame);
         }
@@ -31,18 +31,16 @@ impl Stage {
         if before == after || t == 0.0 {
             return;
         }
-        let mut next = Frame::default();
-        self.motion.read_frame(after, self.positions, &mut next);
-        let mut angles = Vec::with_capacity(frame.angles.len());
-        let (mut from, mut to) = (FrameCursor::new(&frame.angles), FrameCursor::new(&next.angles));
-        for joint in self.motion.skeleton().joints() {
-            let Some(axes) = joint.rotation_order.axes() else { continue };
-            let near = from.peek3();
-            let turn = |cursor: &mut FrameCursor| (solutions::FK.local_quaternion)(joint, cursor);
-            let [from, to] = [turn(&mut from), turn(&mut to)];
-            angles.extend(between(from, to, t, axes, near));
+        self.motion.read_frame(after, self.positions, next);
+        let joints = self.motion.skeleton().joints().iter();
+        let turning = joints.filter_map(|joint| Some((joint, joint.rotation_order.axes()?)));
+        let angles = frame.angles.as_chunks_mut().0.iter_mut().zip(next.angles.as_chunks().0);
+        for ((joint, axes), (angles, next)) in turning.zip(angles) {
+            let turn =
+                |angles: &[f32; 3]| (solutions::FK.local_quaternion)(joint, &mut FrameCursor::new(angles));
+            let (from, to) = (turn(angles), turn(next));
+            *angles = between(from, to, t, axes, *angles);
         }
-        frame.angles = angles;
         for (position, next) in frame.local_positions.iter_mut().zip(&next.local_positions) {
             *position = position.lerp(*next, t);
         }

@@ -5,12 +5,12 @@ use grading::PartState;
 use skeleton::Pose;
 
 use super::aim::Aim;
-use super::{App, Memory, Shown};
+use super::{App, Shown};
 use crate::camera::Camera;
 use crate::draw::ruler;
 use crate::live::board::Board;
 use crate::live::mover::Mover;
-use crate::motion::stage::{Stage, Wanted};
+use crate::motion::stage::{Moment, Wanted};
 use crate::scene::{Figure, Look, Mark, Off, ScaleBar, Scene, Timeline, Tint, Trail};
 use crate::view::texts::{self, Facts, OfBones};
 
@@ -38,15 +38,15 @@ impl App {
             Shown::Student(answers) => Some(answers.mover()),
         };
         let of_bones = mover.map_or(self.settings.bones && edited.is_none(), Mover::needs_bones);
-        memory.read_reference(&self.stage, frame, of_bones);
-        let anchor = self.stage.anchor_of(&memory.reference);
+        self.stage.read(frame, of_bones, &mut memory.now);
+        let anchor = self.stage.anchor_of(&memory.now.pose);
         let interpolated = edited.as_ref().and_then(|edited| edited.pose(frame));
         let posed = match shown {
             Shown::Reference => None,
             Shown::Student(answers) => answers.posed(frame),
         };
         self.point_camera(
-            &memory.reference,
+            &memory.now.pose,
             (posed.map(|posed| &posed.pose), interpolated),
             anchor,
             &mut memory.points,
@@ -79,13 +79,13 @@ impl App {
         let placing = mover.map_or(&[][..], |mover| mover.placing_parts(stage));
         let judged = board.is_some_and(|board| placing.iter().all(|part| begun(board, *part)));
         let solid = match shown {
-            Shown::Reference => Some(interpolated.unwrap_or(&memory.reference)),
+            Shown::Reference => Some(interpolated.unwrap_or(&memory.now.pose)),
             Shown::Student(_) => posed.map(|posed| &posed.pose),
         };
         if (standing.is_some() || edited.is_some()) && settings.ghost {
             let wanted = Wanted { look: Look::Ghost, ..Wanted::default() };
             let ghost = scene.figures.add();
-            stage.fill(ghost, &memory.reference, &wanted);
+            stage.fill(ghost, &memory.now.pose, &wanted);
             if let Some(beside) = beside {
                 ghost.shift(beside);
             }
@@ -100,7 +100,7 @@ impl App {
                     false => Look::Dimmed,
                 },
                 axes: settings.axes,
-                expected: standing.as_ref().map(|_| &memory.reference),
+                expected: standing.as_ref().map(|_| &memory.now.pose),
                 judged,
                 selected: self.selected,
                 places: posed.and_then(|posed| posed.places()),
@@ -108,12 +108,12 @@ impl App {
             stage.fill(scene.figures.add(), pose, &wanted);
         }
         if let Some(pose) = interpolated.filter(|_| settings.edit.errors) {
-            self.error_vectors(scene, pose, &memory.reference);
+            self.error_vectors(scene, pose, &memory.now.pose);
         }
         let worst = scene.figures.last().map_or(Off::Right, worst);
 
         if settings.traces {
-            self.trace(scene, shown, &mut memory.past_frame, &mut memory.past);
+            self.trace(scene, shown, of_bones, &mut memory.past);
         }
         scene.timeline = self.timeline();
         if let Some(edited) = edited.as_ref().filter(|_| settings.words) {
@@ -127,25 +127,24 @@ impl App {
         self.fill_plot(&mut scene.plot, shown);
         if settings.words {
             scale_bar(scene, size);
-            let facts = Facts {
-                app: self,
-                shown,
-                standing: standing.as_ref(),
-                posed,
-                solid,
-                reference: &memory.reference,
-                angles: &memory.frame.angles,
-                local_positions: &memory.frame.local_positions,
-                bones: stage.bones().filter(|_| of_bones && self.selected.is_some()).map(|bones| OfBones {
-                    bones,
-                    posture: &memory.posture,
-                    expected: &memory.places,
-                }),
-                worst,
-                edited: edited.as_deref(),
-                outside: solid.map_or(0, |pose| outside(stage.places(pose), &scene.camera, size)),
-                size: (size.0 as f32 / settings.text_scale, size.1 as f32 / settings.text_scale),
-            };
+            let facts =
+                Facts {
+                    app: self,
+                    shown,
+                    standing: standing.as_ref(),
+                    posed,
+                    solid,
+                    reference: &memory.now.pose,
+                    angles: &memory.now.frame.angles,
+                    local_positions: &memory.now.frame.local_positions,
+                    bones: stage.bones().filter(|_| of_bones && self.selected.is_some()).map(|bones| {
+                        OfBones { bones, posture: &memory.now.posture, expected: &memory.now.places }
+                    }),
+                    worst,
+                    edited: edited.as_deref(),
+                    outside: solid.map_or(0, |pose| outside(stage.places(pose), &scene.camera, size)),
+                    size: (size.0 as f32 / settings.text_scale, size.1 as f32 / settings.text_scale),
+                };
             match (texts::panels(&facts, &mut scene.panels), &mut scene.plot) {
                 (Some(behind), Some(plot)) => plot.behind = behind,
                 _ => scene.plot = None,
@@ -211,8 +210,8 @@ impl App {
         ((TRACE_SECONDS / seconds) as usize).clamp(1, count)
     }
 
-    /// Where the tips of the solid figure have been.
-    fn trace(&self, scene: &mut Scene, shown: Shown, frame: &mut skeleton::Frame, past: &mut Pose) {
+    /// Where the tips of the solid figure have been: `of_bones` is how the reference is drawn now.
+    fn trace(&self, scene: &mut Scene, shown: Shown, of_bones: bool, past: &mut Moment) {
         let stage = &self.stage;
         let tips = stage.traced();
         let most = self.traced_frames();
@@ -229,8 +228,8 @@ impl App {
             }
             let pose = match shown {
                 Shown::Reference => Some(self.interpolated_pose(index).unwrap_or_else(|| {
-                    stage.read_reference(index, frame, past);
-                    past
+                    stage.read(index, of_bones, past);
+                    &past.pose
                 })),
                 // Where an older version had put them is not where these functions put them.
                 Shown::Student(answers) if answers.version(index) != answers.version(self.frame()) => None,
@@ -240,17 +239,6 @@ impl App {
             for (trail, tip) in scene.trails.items_mut().iter_mut().zip(tips) {
                 extend(trail, stage.place(pose.transforms()[*tip].position));
             }
-        }
-    }
-}
-
-impl Memory {
-    /// Reads where the joints are in frame `index` if everything is right, in the exercise on bones or otherwise.
-    fn read_reference(&mut self, stage: &Stage, index: usize, of_bones: bool) {
-        let Memory { frame, reference, posture, places, .. } = self;
-        match of_bones {
-            true => stage.read_reference_of_bones(index, (frame, posture), places, reference),
-            false => stage.read_reference(index, frame, reference),
         }
     }
 }

@@ -13,12 +13,11 @@ mod warp;
 use std::sync::Arc;
 
 use glam::Vec3;
-use skeleton::acclaim::{BonePlace, Posture};
-use skeleton::{Frame, Joint, Pose};
+use skeleton::Joint;
 
 use crate::camera::Camera;
 use crate::live::student::Points;
-use crate::motion::stage::{Stage, tips};
+use crate::motion::stage::{Moment, Stage, tips};
 use crate::scene::Style;
 use crate::view::answers::Answers;
 use crate::view::player::Player;
@@ -125,14 +124,11 @@ pub struct App {
 /// What is used again for every picture.
 #[derive(Clone, Debug, Default)]
 struct Memory {
-    frame: Frame,
-    reference: Pose,
-    past_frame: Frame,
-    past: Pose,
+    /// The shown frame.
+    now: Moment,
+    /// A frame that has left its traces.
+    past: Moment,
     points: Vec<Vec3>,
-    /// Of the bones, where the exercise is about these: the frame, and where they are if everything is right.
-    posture: Posture,
-    places: Vec<Option<BonePlace>>,
 }
 
 impl App {

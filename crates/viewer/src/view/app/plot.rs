@@ -129,7 +129,7 @@ fn places(plot: &mut Plot, map: &TimeMap, scale: &Scale, now: (usize, f64)) {
     let straight = [(0, 0.0), (old.saturating_sub(1), old.saturating_sub(1) as f64)];
     let place = |point| scale.place(point);
     add_curve(plot, "original", Stroke::Faint, straight.into_iter().map(place));
-    add_curve(plot, "warped", Stroke::Solid, map.corners().into_iter().map(place));
+    add_curve(plot, "warped", Stroke::Solid, map.corners().map(place));
     plot.mark = Some(place(now));
 }
 

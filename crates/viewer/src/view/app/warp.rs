@@ -6,18 +6,22 @@ use glam::Vec3;
 
 use super::{Aim, App};
 use crate::camera::Camera;
+use crate::draw::fit;
 use crate::live::student::Points;
 use crate::motion::stage::Stage;
 use crate::motion::time_map::TimeMap;
 use crate::view::texts;
 use crate::view::warp::Warp;
 
-/// The least picture, on an ordinary display, in which the figure makes room for words and the curve of a pair.
-const LEAST: (f32, f32) = (440.0, 440.0);
+/// The least picture, on an ordinary display, in which the figure makes room for the words of a pair, and that in which it does
+/// so for the curve, too.
+const LEAST: (f32, f32) = (200.0, 300.0);
+const LEAST_WITH_CURVE: (f32, f32) = (440.0, 440.0);
 
-/// How far the figure moves down for this, and how far to the left at most: in pixels, and as a share of the width.
+/// How far the figure moves down for this, and how far to the left at most: in pixels where texts have their full size, and as
+/// a share of the width.
 const DOWN: f32 = 42.0;
-const ASIDE: f32 = 0.12;
+const ASIDE: f32 = 0.3;
 
 /// How far it is from the left side of the curve to the right of the picture, in pixels, and how far a figure reaches to both
 /// sides, as a share of the shorter side of the picture.
@@ -113,12 +117,21 @@ impl App {
     fn aside(&self, size: (usize, usize)) -> (f32, f32) {
         let scale = self.settings.text_scale;
         let (width, height) = (size.0 as f32, size.1 as f32);
-        let shown = self.paired && self.settings.words;
-        if !shown || width < LEAST.0 * scale || height < LEAST.1 * scale {
+        let has_room = |least: (f32, f32)| width >= least.0 * scale && height >= least.1 * scale;
+        if !self.paired || !self.settings.words || !has_room(LEAST) {
             return (0.0, 0.0);
         }
-        let over = REACH * width.min(height) + CURVE * scale - 0.5 * width;
-        (-over.clamp(0.0, ASIDE * width), DOWN * scale)
+        let over = match has_room(LEAST_WITH_CURVE) {
+            true => REACH * width.min(height) + CURVE * fit(size, scale) - 0.5 * width,
+            false => 0.0,
+        };
+        (-over.clamp(0.0, ASIDE * width), DOWN * self.words(size))
+    }
+
+    /// How large words are, and a little more where they are smaller than usual: a head is not as much smaller.
+    fn words(&self, size: (usize, usize)) -> f32 {
+        let scale = self.settings.text_scale;
+        (fit(size, scale) + 0.1 * scale).min(scale)
     }
 
     /// The camera of a picture of `size` pixels, whose words and curve do not cover the figure.
@@ -132,7 +145,7 @@ impl App {
     pub(super) fn step_back(&mut self, size: (usize, usize)) {
         if self.aside(size) != (0.0, 0.0) {
             let high = self.stage.breadth(Vec3::Y) * self.camera.view(size).focal / self.camera.distance;
-            let room = (size.1 as f32 - WORDS * self.settings.text_scale).max(1.0);
+            let room = (size.1 as f32 - WORDS * self.words(size)).max(1.0);
             self.camera.zoom((high / room).max(1.0));
         }
     }

@@ -12,6 +12,8 @@ use crate::samples;
 use crate::scene::{Line, Scene, Stroke};
 use crate::view::app::Shown;
 
+mod picture;
+
 const SIZE: (usize, usize) = (1280, 720);
 
 fn stage(frames: usize) -> Arc<Stage> {
@@ -42,7 +44,11 @@ fn map(gallery: &Gallery) -> TimeMap {
 }
 
 fn scenes(gallery: &mut Gallery) -> Vec<Scene> {
-    let tiles: Vec<_> = gallery.tiles(SIZE).collect();
+    scenes_in(gallery, SIZE)
+}
+
+fn scenes_in(gallery: &mut Gallery, size: (usize, usize)) -> Vec<Scene> {
+    let tiles: Vec<_> = gallery.tiles(size).collect();
     let mut scene = |tile: &crate::view::gallery::Tile| {
         gallery.apps_mut()[tile.motion].scene(Shown::Reference, tile.size)
     };
@@ -205,118 +211,6 @@ mod keys {
         gallery.act(Action::Plot);
         assert_eq!(plots(&mut gallery), [false, true]);
         assert!(!words(&scenes(&mut gallery)[0]).contains("press i or k"));
-    }
-}
-
-mod picture {
-    use super::*;
-
-    #[test]
-    fn the_curve_leads_from_new_frames_to_old_ones() {
-        let mut gallery = Gallery::new(pair_of(TimeMap::stretch(41, (10, 20), 30).unwrap()));
-        gallery.go_to(0, 25);
-        let scenes = scenes(&mut gallery);
-        let plot = scenes[1].plot.as_ref().unwrap();
-        let curves: Vec<_> = plot.curves.iter().map(|curve| (curve.stroke, &curve.points[..])).collect();
-        let straight = [(0.0, 0.0), (40.0 / 60.0, 1.0)];
-        let warped = [(0.0, 0.0), (10.0 / 60.0, 0.25), (40.0 / 60.0, 0.5), (1.0, 1.0)];
-        assert_eq!(curves, [(Stroke::Faint, &straight[..]), (Stroke::Solid, &warped[..])]);
-        assert_eq!(plot.mark, Some((25.0 / 60.0, 15.0 / 40.0)));
-        assert_eq!(plot.posts, [10.0 / 60.0, 40.0 / 60.0]);
-        let labels =
-            |ticks: &[crate::scene::Tick]| ticks.iter().map(|tick| tick.label.clone()).collect::<Vec<_>>();
-        assert_eq!(labels(&plot.columns), ["0", "20", "40", "60"]);
-        assert_eq!(labels(&plot.rows), ["0", "10", "20", "30", "40"]);
-        assert_eq!([&scenes[0].keyframes[..], &scenes[1].keyframes[..]], [[10, 20], [10, 40]]);
-    }
-
-    #[test]
-    fn the_words_say_where_the_frame_is_in_the_original_and_how_fast_it_is() {
-        let told = |gallery: &mut Gallery| words(&scenes(gallery)[1]);
-        let mut whole = pair(10, 20);
-        whole.go_to(1, 7);
-        assert!(told(&mut whole).contains("= frame 3.50 of the original, 2× slower"), "{}", told(&mut whole));
-        let mut half = pair(10, 5);
-        half.go_to(0, 8);
-        let text = told(&mut half);
-        assert!(text.contains("frame 4 / 5") && text.contains("8.00 of the original, 2× faster"), "{text}");
-        half.act(Action::Play);
-        assert!(told(&mut half).contains("at the end"), "it waits");
-        assert!(told(&mut pair(10, 10)).contains("of the original, as fast"));
-        let mut stretch = Gallery::new(pair_of(TimeMap::stretch(41, (10, 16), 20).unwrap()));
-        let text = told(&mut stretch);
-        assert!(text.contains("3.33× slower between its frames 10 and 16"), "{text}");
-        assert!(text.contains("walk.amc, frames 10–16: 6 → 20"), "{text}");
-    }
-
-    #[test]
-    fn motions_of_one_frame_and_none_are_told_and_survive_all_keys() {
-        for (old, new) in [(1, 5), (5, 1), (1, 1), (0, 5), (2, 1)] {
-            let mut gallery = pair(old, new);
-            for action in [
-                Action::Play,
-                Action::Keyframes(1),
-                Action::RangeStart,
-                Action::RangeEnd,
-                Action::Last,
-                Action::Keyframes(-1),
-                Action::Keyframes(10),
-                Action::Step(1),
-                Action::Reverse,
-            ] {
-                gallery.act(action);
-                gallery.advance(0.25);
-                assert!(!scenes(&mut gallery).is_empty());
-            }
-        }
-        let none = words(&scenes(&mut pair(0, 5))[1]);
-        assert!(none.contains("no frames to warp") && !none.contains("of the original"), "{none}");
-        let one = words(&scenes(&mut pair(5, 1))[1]);
-        assert!(
-            one.contains("walk.amc, 5 → 1 frame\n") && one.contains("frame 0.00 of the original, 5× faster"),
-            "{one}"
-        );
-    }
-
-    /// The walk in the usual window: the figure stays between the words above, the curve, and what is below.
-    #[test]
-    fn neither_words_nor_the_curve_cover_a_figure() {
-        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
-        let source = Source { skeleton: Some(data.join("walk.asf")), ..Source::new(data.join("walk.amc")) };
-        let original = source.read().unwrap().stage;
-        for map in [TimeMap::Whole { old: 480, new: 700 }, TimeMap::stretch(480, (100, 160), 200).unwrap()] {
-            let warped = Arc::new(original.warped(map));
-            let mut gallery = Gallery::new(vec![app(original.clone()), app(warped)]);
-            for frame in (0..map.frame_count()).step_by(9) {
-                gallery.go_to(1, frame);
-                for scene in scenes(&mut gallery) {
-                    let view = scene.camera.view((640, 720));
-                    let words = 32.0 + 20.0 * scene.panels[0].lines().count() as f32;
-                    for dot in &scene.figures[0].joints {
-                        let spot = view.project(dot.place).unwrap();
-                        assert!(spot.y > words && spot.y < 660.0, "{frame}: {spot:?}");
-                        assert!(spot.x > 8.0 && (spot.x < 384.0 || spot.y < 422.0), "{frame}: {spot:?}");
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn of_the_help_each_shows_a_half() {
-        let mut gallery = pair(10, 20);
-        gallery.act(Action::Help);
-        let scenes = scenes(&mut gallery);
-        let keys = |scene: &Scene| {
-            let lines = scene.panels.iter().flat_map(|panel| panel.lines());
-            lines
-                .filter(|(line, _)| matches!(line, Line::Key(_)))
-                .map(|(_, text)| text.to_owned())
-                .collect::<Vec<_>>()
-        };
-        let all: Vec<String> = scenes.iter().flat_map(keys).collect();
-        let expected: Vec<&str> = crate::window::keys::help().map(|(_, help)| help).collect();
-        assert_eq!(all, expected);
     }
 }
 

@@ -28,6 +28,7 @@ use crate::window::keys;
 
 pub use bone::OfBones;
 use number::Rounded;
+pub use number::count;
 pub use warp::write_title as write_warp;
 
 /// What the words are about.

@@ -31,6 +31,25 @@ impl fmt::Display for Rounded {
     }
 }
 
+/// How many there are of something: `1 frame`, `2 frames`.
+pub fn count<'a>(number: usize, one: &'a str, many: &'a str) -> Count<'a> {
+    Count { number, one, many }
+}
+
+/// What [`count`] gives, to be written.
+#[derive(Clone, Copy, Debug)]
+pub struct Count<'a> {
+    number: usize,
+    one: &'a str,
+    many: &'a str,
+}
+
+impl fmt::Display for Count<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.number, if self.number == 1 { self.one } else { self.many })
+    }
+}
+
 /// Numbers in a row, each with so many digits behind the point.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a>(pub &'a [f32], pub usize);

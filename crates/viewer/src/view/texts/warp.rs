@@ -3,18 +3,17 @@
 use std::fmt::{self, Write};
 
 use super::Facts;
-use super::number::Rounded;
+use super::number::{Rounded, count};
 use crate::motion::time_map::TimeMap;
 use crate::scene::{Line, Panel};
 
 /// Adds to a file's name what the warp makes of the motion.
 pub fn write_title(title: &mut String, map: &TimeMap) {
     let (new, old) = map.speed();
-    let frames = if new == 1 { "frame" } else { "frames" };
     // A string takes whatever is written to it.
     let _ = match *map {
         TimeMap::Whole { old: 0, .. } => write!(title, ", no frames to warp"),
-        TimeMap::Whole { .. } => write!(title, ", {old} → {new} {frames}"),
+        TimeMap::Whole { .. } => write!(title, ", {old} → {}", count(new, "frame", "frames")),
         TimeMap::Stretch { first, last, .. } => write!(title, ", frames {first}–{last}: {old} → {new}"),
     };
 }
@@ -42,7 +41,6 @@ impl fmt::Display for Speed {
         let (new, old) = self.0.speed();
         match () {
             () if new == old => f.write_str("as fast"),
-            () if new == 0 => f.write_str("left out"),
             () if new > old => write!(f, "{}× slower", Rounded(new as f64 / old as f64)),
             () => write!(f, "{}× faster", Rounded(old as f64 / new as f64)),
         }

@@ -4,7 +4,7 @@ use skeleton::acclaim::Between;
 use skeleton::{JointId, Transform};
 
 use super::Facts;
-use super::number::{Rounded, Row, digits_for};
+use super::number::{self, Rounded, Row, digits_for};
 use crate::live::student::time_warp::{is_asked_whole, places_step};
 use crate::live::student::{Details, Extra};
 use crate::motion::time_map::{TimeMap, position_of};
@@ -24,10 +24,12 @@ pub fn write(
     let line = |part: usize| if is_known_begun(facts, part) { Line::Trouble } else { Line::Text };
     if let (Some(count), Some(all)) = (bones, stage.bones()) {
         let all = all.motion().skeleton().len();
-        let bones = if count == 1 { "bone" } else { "bones" };
         panel.add(
             Line::Trouble,
-            format_args!("the posture has angles or translations of {count} {bones}, and there are {all}"),
+            format_args!(
+                "the posture has angles or translations of {}, and there are {all}",
+                number::count(count, "bone", "bones")
+            ),
         );
     }
     if !is_asked_whole(stage) {
@@ -49,8 +51,8 @@ pub fn write(
     }
     let wanted = map.frame_count();
     if let Some(given) = given.filter(|given| *given != wanted) {
-        let frames = if given == 1 { "frame" } else { "frames" };
-        panel.add(line(2), format_args!("part 3 gives {given} {frames}, and {wanted} are wanted"));
+        let given = number::count(given, "frame", "frames");
+        panel.add(line(2), format_args!("part 3 gives {given}, and {wanted} are wanted"));
     }
 }
 

@@ -220,6 +220,20 @@ fn a_file_in_other_orders_is_warned_about_and_the_solution_agrees_with_the_goal(
 }
 
 #[test]
+fn traces_end_at_the_tips_of_the_figure_that_is_drawn() {
+    let mut app = of_stage(samples::walk_in_other_orders(), 0);
+    (0..=100).for_each(|frame| app.go_to(frame));
+    for bones in [true, false] {
+        app.settings.bones = bones;
+        let scene = app.scene(Shown::Reference, SIZE);
+        let ends: Vec<Vec3> = scene.trails.iter().map(|trail| *trail.points.last().unwrap()).collect();
+        let tips: Vec<Vec3> =
+            app.stage.traced().iter().map(|tip| scene.figures[0].joints[*tip].place).collect();
+        assert_eq!(ends, tips, "of bones: {bones}");
+    }
+}
+
+#[test]
 fn in_a_warped_motion_the_solution_agrees_with_the_goal_between_frames_too() {
     let map = crate::motion::time_map::TimeMap::Whole { old: 480, new: 1001 };
     let mut app = of_stage(Arc::new(samples::walk().warped(map)), 333);
