@@ -52,7 +52,7 @@ fn each_misconception_costs_its_checks_and_is_the_only_one_named() {
 fn every_misconception_says_what_and_why_and_what_next() {
     marks::each_says_what_and_why_and_what_next(
         Exercise::of(&RIGHT),
-        &["You ", "Your ", "Behind the last frame you "],
+        &["You ", "Your ", "After the last frame you "],
         30,
     );
 }

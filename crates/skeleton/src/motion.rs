@@ -71,7 +71,7 @@ impl Motion {
     }
 
     /// Sorts the row of frame `index` (from 0) for the traversal, into `frame`, whose memory is used again.
-    /// Behind the last frame, `frame` becomes the rest pose.
+    /// After the last frame, `frame` becomes the rest pose.
     pub fn read_frame(&self, index: usize, positions: PositionChannels, frame: &mut Frame) {
         frame.read(&self.skeleton, self.row(index).unwrap_or(&[]), positions);
     }

@@ -79,7 +79,7 @@ pub enum WarningKind {
         /// Numbers beyond.
         surplus: u64,
     },
-    /// Behind the last frame there is something that is no number.
+    /// After the last frame there is something that is no number.
     #[error("`{found}` stands behind the last frame; it was left out, and all behind it")]
     Junk {
         /// The first word of it.

@@ -157,7 +157,7 @@ impl Motion {
     }
 
     /// Sorts the row of frame `index` (from 0) by bones, into `posture`, whose memory is used again. The root's position
-    /// is added to its translation. Behind the last frame, `posture` becomes the rest pose.
+    /// is added to its translation. After the last frame, `posture` becomes the rest pose.
     pub fn read_posture(&self, index: usize, posture: &mut Posture) {
         posture.reset(self.skeleton());
         let Some(row) = self.row(index) else { return };

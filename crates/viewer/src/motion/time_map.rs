@@ -71,7 +71,7 @@ impl TimeMap {
         position_of(self.place(index))
     }
 
-    /// Where the new motion's frame `index` (from 0) is in the old one. Behind the last frame it is the last one.
+    /// Where the new motion's frame `index` (from 0) is in the old one. After the last frame it is the last one.
     pub fn place(&self, index: usize) -> Between {
         let index = index.min(self.frame_count().saturating_sub(1));
         match *self {

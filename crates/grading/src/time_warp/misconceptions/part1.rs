@@ -126,7 +126,7 @@ fn about_the_end() -> Vec<Misconception> {
         },
         Misconception {
             id: "round_again",
-            title: "Behind the last frame you go on with the first.",
+            title: "After the last frame you go on with the first.",
             explanation: "That would be right for a motion that repeats itself. Here it stops: the figure would move half-way back \
                           to where it began, in the last moment.",
             hint: "What does the `%` do to the frame after the last one?",
@@ -136,7 +136,7 @@ fn about_the_end() -> Vec<Misconception> {
         },
         Misconception {
             id: "goes_on",
-            title: "Behind the last frame you go on as between the two frames before.",
+            title: "After the last frame you go on as between the two frames before.",
             explanation: "Your `t` is above 1 there, and a figure that goes on for longer than it was recorded goes where nobody \
                           has seen it. Where there is no frame after, the last frame stays.",
             hint: "What is your frame before, when the place is after the last one?",

@@ -52,7 +52,7 @@ fn faster(dice: &mut Dice) -> Vec<Case> {
     easy.iter().map(|asked| asked.case(None)).chain(any).collect()
 }
 
-/// Behind the last frame, exactly at it, and just before it.
+/// After the last frame, exactly at it, and just before it.
 fn last(dice: &mut Dice) -> Vec<Case> {
     let count = 4 + dice.below(6);
     let times = 3 + dice.below(4);

@@ -94,7 +94,7 @@ ways! {
         Between { before, after: before + 1, t: place.fract() as f32 }
     };
 
-    /// Behind the last frame comes the first.
+    /// After the last frame comes the first.
     RoundAgain(frame, old, new) {
         let place = place(frame, old, new);
         let before = place.floor() as usize;

@@ -23,7 +23,7 @@ pub struct Moment {
 }
 
 impl Stage {
-    /// Frame `index` (from 0) as the functions get it. Behind the last frame it is the rest pose.
+    /// Frame `index` (from 0) as the functions get it. After the last frame it is the rest pose.
     pub fn frame(&self, index: usize) -> Frame {
         let mut frame = Frame::default();
         self.read_frame(index, &mut frame);
@@ -66,7 +66,7 @@ impl Stage {
         pose_frame(self.motion.skeleton(), frame, &solutions::FK, pose);
     }
 
-    /// Frame `index` (from 0) as functions that move bones get it. Behind the last frame it is the rest pose. Without bones it
+    /// Frame `index` (from 0) as functions that move bones get it. After the last frame it is the rest pose. Without bones it
     /// is empty.
     pub fn posture(&self, index: usize) -> Posture {
         let mut posture = Posture::default();

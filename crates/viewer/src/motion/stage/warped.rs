@@ -21,7 +21,7 @@ impl Stage {
     }
 
     /// Frame `index` (from 0) of the motion warped so: between two frames every joint turns the shorter way round about one
-    /// axis, and moves straight. Behind the last frame it is the rest pose. The memory of `frame` and of `next` is used again.
+    /// axis, and moves straight. After the last frame it is the rest pose. The memory of `frame` and of `next` is used again.
     pub(super) fn read_warped(&self, warp: &TimeMap, index: usize, frame: &mut Frame, next: &mut Frame) {
         if index >= warp.frame_count() {
             return self.motion.read_frame(self.motion.frame_count(), self.positions, frame);
