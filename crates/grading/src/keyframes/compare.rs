@@ -5,7 +5,7 @@ use std::fmt::Display;
 use exam::keyframes::{Answer as KeyframesAnswer, Question as KeyframesQuestion};
 use exam::{Answer, Question};
 
-use crate::compare::counted;
+use crate::compare::{counted, not_comparable};
 use crate::{Case, Difference};
 
 /// An error or a cost is right when it is off by at most this, times the right one. Where 0 is right, only 0 is.
@@ -129,16 +129,6 @@ fn joined(items: &[impl Display]) -> String {
 pub(super) fn number(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (0.01..1e9).contains(&size) { format!("{value:.4}") } else { format!("{value:.3e}") }
-}
-
-/// An answer to another question than the one that was asked.
-fn not_comparable() -> Option<Difference> {
-    let text = |text: &str| text.to_owned();
-    Some(Difference {
-        got: text("an answer to another question"),
-        expected: text("an answer"),
-        between: text("-"),
-    })
 }
 
 #[cfg(test)]
