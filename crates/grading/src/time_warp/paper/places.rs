@@ -62,7 +62,7 @@ fn last(dice: &mut Dice) -> Vec<Case> {
         Asked { new_frame: asked.new_count - 1, ..asked }
     };
     let ends_before_last = |asked: &Asked| asked.is_clear() && asked.before() + 2 == asked.old_count;
-    let behind = "behind the last frame";
+    let behind = "after the last frame";
     let cases = [
         (Asked { new_frame: 2 * count - 1, old_count: count, new_count: 2 * count }, behind),
         (Asked { new_frame: 3 * count - 2, old_count: count, new_count: 3 * count }, behind),
