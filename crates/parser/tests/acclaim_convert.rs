@@ -2,9 +2,9 @@
 
 mod common;
 
-use common::acclaim::{AMC, asf, figure, motion, motion_and_warnings, skeleton, skeleton_and_warnings};
+use common::acclaim::{AMC, amc, asf, figure, motion, motion_and_warnings, skeleton, skeleton_and_warnings};
 use common::bones::{any_angles, any_moving_skeleton, any_rotations, any_skeleton, ends, measure};
-use glam::Vec3;
+use glam::{Quat, Vec3};
 use parser::acclaim::{to_bones, to_joints};
 use parser::bvh;
 use proptest::prelude::*;
@@ -16,6 +16,13 @@ fn joint_positions(motion: &Motion, frame: usize) -> Vec<Vec3> {
     let mut pose = Pose::default();
     pose_frame(motion.skeleton(), &motion.frame(frame), &solutions::FK, &mut pose);
     pose.transforms().iter().map(|joint| joint.position).collect()
+}
+
+/// How a joint is turned in a frame, by the reference solution.
+fn joint_rotation(motion: &Motion, frame: usize, joint: usize) -> Quat {
+    let mut pose = Pose::default();
+    pose_frame(motion.skeleton(), &motion.frame(frame), &solutions::FK, &mut pose);
+    pose[JointId(joint)].rotation
 }
 
 /// How far bones are from the joints that were made of them, as a part of the extent, at worst.
@@ -103,6 +110,16 @@ fn a_bone_that_only_moves_does_not_turn() {
     let joints = to_joints(&bones, 0.1).expect("joints");
     assert_eq!((channels(&joints, 3), channels(&joints, 4).len()), (vec![], 3));
     assert!(worst(&bones, &joints) < 1e-6);
+
+    // But it does where the motion says so.
+    let text = amc(":FULLY-SPECIFIED\n", ":FULLY-SPECIFIED\n:FORCE-ALL-JOINTS-BE-3DOF\n");
+    let text = text.replace("shin 10", "shin 1 30 40 50").replace("shin 20", "shin 2 60 70 80");
+    let (bones, _) = motion_and_warnings(text, &skeleton);
+    let joints = to_joints(&bones, 0.1).expect("joints");
+    assert_eq!((channels(&joints, 3).len(), channels(&joints, 4).len()), (3, 3));
+    assert!(worst(&bones, &joints) < 1e-6);
+    let turned = joint_rotation(&joints, 0, 3).angle_between(joint_rotation(&joints, 0, 2));
+    assert!(turned > 0.5, "{turned}");
 }
 
 #[test]

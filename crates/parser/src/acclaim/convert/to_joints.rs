@@ -43,7 +43,7 @@ pub fn to_joints(motion: &Motion, frame_time: f64) -> Result<skeleton::Motion, C
             }
             let turn = in_world_axes(bone, angles);
             let last = &mut last[id];
-            if let Some(axes) = order(bone).axes() {
+            if let Some(axes) = order(motion, bone).axes() {
                 *last = if is_turned(bone) {
                     angles_of(turn, &axes, *last)
                 } else {
@@ -83,7 +83,7 @@ fn joints(motion: &Motion, bones: &[&Bone]) -> Result<Skeleton, ConvertError> {
     let mut skeleton = Skeleton::new();
     let mut ids: Vec<Option<JointId>> = vec![None; bones.len()];
     for bone in bones {
-        let rotations = order(bone).axes().into_iter().flatten().map(Channel::Rotation);
+        let rotations = order(motion, bone).axes().into_iter().flatten().map(Channel::Rotation);
         let (parent, offset, moves) = match bone.parent.and_then(|parent| motion.skeleton().get(parent)) {
             Some(parent) => (ids[parent.id.0], parent.rest_vector(), is_moved(parent)),
             None => (None, motion.skeleton().position(), true),
@@ -117,8 +117,11 @@ fn is_turned(bone: &Bone) -> bool {
 
 /// The order of a joint's rotation channels: the bone's own, as long as its axes are the world's. A bone that only moves has
 /// none.
-fn order(bone: &Bone) -> RotationOrder {
-    let turns = bone.dofs.iter().any(|dof| matches!(dof.channel, Channel::Rotation(_)));
+fn order(motion: &Motion, bone: &Bone) -> RotationOrder {
+    let is_rotation = |channel: &Channel| matches!(channel, Channel::Rotation(_));
+    let listed = bone.dofs.iter().any(|dof| is_rotation(&dof.channel));
+    // A motion can have all three rotations for a bone whose dofs are translations.
+    let turns = listed || motion.columns().channels(bone.id).iter().any(is_rotation);
     match bone.rotation_order {
         _ if !turns && !bone.is_root() => RotationOrder::None,
         RotationOrder::None => RotationOrder::Zyx,
