@@ -12,24 +12,27 @@ use super::variants::local;
 use crate::{Accepted, Misconception};
 
 /// Ways to answer a part that are right but for a π of few digits: they get full points, with a remark. `$pi` names the π in
-/// the functions, `$whose` in the remark, and over several `$things` the error grows.
+/// the functions. In the usual remark `$whose` does, and over several `$things` the error grows.
 macro_rules! short_pis {
     ($whose:literal, $things:literal, $pi:ident => $functions:expr) => {
         $crate::fk::misconceptions::short_pis!(
-            $whose, $things, $pi => $functions;
+            concat!(
+                $whose, " has only a few digits. This is accepted, but over several ", $things,
+                " the error becomes visible. `f32::to_radians` is as exact as the type allows."
+            ),
+            $pi => $functions
+        )
+    };
+    ($remark:expr, $pi:ident => $functions:expr) => {
+        $crate::fk::misconceptions::short_pis!(
+            $remark, $pi => $functions;
             TwoDecimals, ThreeDecimals, ThreeRounded, FourDecimals, Fraction
         )
     };
-    ($whose:literal, $things:literal, $pi:ident => $functions:expr; $($digits:ident),*) => {
+    ($remark:expr, $pi:ident => $functions:expr; $($digits:ident),*) => {
         vec![$({
             type $pi = $crate::fk::variants::$digits;
-            $crate::Accepted {
-                remark: concat!(
-                    $whose, " has only a few digits. This is accepted, but over several ", $things,
-                    " the error becomes visible. `f32::to_radians` is as exact as the type allows."
-                ),
-                functions: $functions,
-            }
+            $crate::Accepted { remark: $remark, functions: $functions }
         }),*]
     };
 }

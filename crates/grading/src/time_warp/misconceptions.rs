@@ -4,8 +4,8 @@ mod part1;
 mod part2;
 mod part3;
 
-use super::variants::blend::ShortPi;
-use crate::fk::variants::{FourDecimals, Fraction, ThreeDecimals, ThreeRounded, TwoDecimals};
+use super::variants::{blend::ShortPi, functions};
+use crate::fk::misconceptions::short_pis;
 use crate::{Accepted, Misconception};
 
 /// A list of functions, one for each way.
@@ -16,25 +16,17 @@ use ways;
 
 /// Ways to answer a part that get full points, with a remark.
 pub fn accepted(part: &str) -> Vec<Accepted> {
-    let remark = "Your π has only a few digits. This is accepted, but angles that go through it come back a little wrong. \
-                  `f32::to_radians` and `to_degrees` are as exact as the type allows.";
-    /// One for each such π, on these ways.
-    macro_rules! short_pis {
-        ($into:literal, $out:literal) => {
-            ways![
-                ShortPi<TwoDecimals, $into, $out>,
-                ShortPi<ThreeDecimals, $into, $out>,
-                ShortPi<ThreeRounded, $into, $out>,
-                ShortPi<FourDecimals, $into, $out>,
-                ShortPi<Fraction, $into, $out>,
-            ]
-        };
-    }
+    const REMARK: &str = "Your π has only a few digits. This is accepted, but angles that go through it come back a little \
+                          wrong. `f32::to_radians` and `to_degrees` are as exact as the type allows.";
     match part {
-        "part2" => {
-            let all = [short_pis!(true, true), short_pis!(true, false), short_pis!(false, true)];
-            all.into_iter().flatten().map(|functions| Accepted { remark, functions }).collect()
-        }
+        "part2" => [
+            short_pis!(REMARK, P => functions::<ShortPi<P, true, true>>()),
+            short_pis!(REMARK, P => functions::<ShortPi<P, true, false>>()),
+            short_pis!(REMARK, P => functions::<ShortPi<P, false, true>>()),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
         _ => Vec::new(),
     }
 }

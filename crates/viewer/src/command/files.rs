@@ -195,6 +195,7 @@ mod tests {
         let told = skeleton("36_01.amc").unwrap_err();
         assert!(told.contains("(35.asf, 35_01.asf, Walk_On.ASF, walk.asf, walker.asf)"), "{told}");
     }
+
     #[test]
     fn a_folder_that_cannot_be_listed_is_not_said_to_hold_nothing() {
         let folder = tempfile::tempdir().unwrap();

@@ -62,11 +62,11 @@ fn last(dice: &mut Dice) -> Vec<Case> {
         Asked { new_frame: asked.new_count - 1, ..asked }
     };
     let ends_before_last = |asked: &Asked| asked.is_clear() && asked.before() + 2 == asked.old_count;
-    let behind = "after the last frame";
+    let after = "after the last frame";
     let cases = [
-        (Asked { new_frame: 2 * count - 1, old_count: count, new_count: 2 * count }, behind),
-        (Asked { new_frame: 3 * count - 2, old_count: count, new_count: 3 * count }, behind),
-        (Asked { new_frame: longer - 1, old_count: 20, new_count: longer }, behind),
+        (Asked { new_frame: 2 * count - 1, old_count: count, new_count: 2 * count }, after),
+        (Asked { new_frame: 3 * count - 2, old_count: count, new_count: 3 * count }, after),
+        (Asked { new_frame: longer - 1, old_count: 20, new_count: longer }, after),
         (Asked { new_frame: count - 1, old_count: count, new_count: count }, "exactly at the last frame"),
         (Asked { new_frame: times - 1, old_count: 1, new_count: times }, "an old motion of one frame"),
         (until(|| shorter(dice), ends_before_last), "just before the last frame"),

@@ -118,6 +118,7 @@ mod tests {
             assert_eq!(rate(1.0 / seconds), text);
         }
     }
+
     #[test]
     fn the_exact_rate_gives_the_frame_time_back() {
         for (seconds, text) in [(1.0 / 120.0, "120"), (0.04, "25"), (0.0125, "80"), (3.2, "0.3125")] {

@@ -26,8 +26,8 @@ pub fn of_bones(stage: &Stage) -> String {
         true => String::new(),
         false => fact("lost", &format!("{}: joints have no such thing", listed(&lost, lost.len()))),
     };
-    let has_no_bone = |joint: &&Joint| !joint.is_end_site && skeleton.find(&joint.name).is_none();
-    let ends = stage.motion().skeleton().joints().iter().filter(has_no_bone);
+    let is_moved_end = |joint: &&Joint| !joint.is_end_site && bones.is_end(joint.id.0);
+    let ends = stage.motion().skeleton().joints().iter().filter(is_moved_end);
     let ends: Vec<String> = ends.map(|joint| quoted(&joint.name)).collect();
     let what =
         ["joint for the end of a bone that moves along", "joints for the ends of bones that move along"];

@@ -21,14 +21,19 @@ pub struct OfBones<'a> {
     pub expected: &'a [Option<BonePlace>],
 }
 
+/// The name of `bone` as a heading, which says so where joint `joint` (from 0) stands for its end.
+pub(super) fn write_name(bones: &Bones, joint: usize, bone: &Bone, panel: &mut Panel) {
+    match bones.is_end(joint) {
+        true => panel.add(Line::Heading, format_args!("{}: its end", bone.name)),
+        false => panel.add(Line::Heading, &bone.name),
+    }
+}
+
 pub fn write(facts: &Facts, of: OfBones, panel: &mut Panel) {
     let Some(joint) = facts.app.selected() else { return };
     let skeleton = of.bones.motion().skeleton();
     let Some(bone) = skeleton.get(of.bones.of_joint(joint)) else { return };
-    match of.bones.is_end(joint) {
-        true => panel.add(Line::Heading, format_args!("{}: its end", bone.name)),
-        false => panel.add(Line::Heading, &bone.name),
-    }
+    write_name(of.bones, joint, bone, panel);
     match bone.parent.and_then(|parent| skeleton.get(parent)) {
         Some(parent) => panel.add(Line::Key("parent"), &parent.name),
         None => panel.add(Line::Key("parent"), "none: the root"),

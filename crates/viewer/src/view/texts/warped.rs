@@ -4,6 +4,7 @@ use skeleton::acclaim::Between;
 use skeleton::{JointId, Transform};
 
 use super::Facts;
+use super::bone::write_name;
 use super::number::{self, Rounded, Row, digits_for};
 use crate::live::student::time_warp::{is_asked_whole, places_step};
 use crate::live::student::{Details, Extra};
@@ -91,10 +92,7 @@ pub fn write_joint(facts: &Facts, panel: &mut Panel) {
     let stage = facts.app.stage();
     let Some(bones) = stage.bones() else { return };
     let Some(bone) = bones.motion().skeleton().get(bones.of_joint(id.0)) else { return };
-    match bones.is_end(id.0) {
-        true => panel.add(Line::Heading, format_args!("{}: its end", bone.name)),
-        false => panel.add(Line::Heading, &bone.name),
-    }
+    write_name(bones, id.0, bone, panel);
     let given = facts.solid.and_then(|pose| pose.transforms().get(id.0));
     let Some(right) = facts.reference.transforms().get(id.0) else { return };
     let (current, digits) =
